@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_EXTREMAL_MESH_3_FUNCTION_3_H
+#define CGAL_EXTREMAL_MESH_3_FUNCTION_3_H
+
+#include <CGAL/Extremal_mesh_3/Derivatives.h>
+#include <CGAL/Extremal_mesh_3/Lattice.h>
+
+#include <cstddef>
+
+namespace CGAL::Extremal_mesh_3 {
+
+/// A function of R³ with exact derivatives anywhere, whose zero set is a surface. Its gradient gives the surface's
+/// normal `n = ∇f/|∇f|`: an `f` that is negative inside has its normal outwards.
+///
+/// All member functions may be called from several threads at once, and give the same bits for the same arguments.
+/// Where the function is not defined they give NaN.
+class Function_3 {
+public:
+  virtual ~Function_3() = default;
+
+  /// the value at `p`.
+  virtual double value(const Point& p) const = 0;
+
+  /// fills the value and the derivatives up to `order` at `p`.
+  /// \param order  1 to `max_order()`
+  virtual void derivatives(const Point& p, int order, Derivatives& d) const = 0;
+
+  /// the highest order of derivatives that is exact: 3 or 4. With 3, the sign of the derivative of an
+  /// extremality along its line of curvature (maximum or minimum) is estimated by differences.
+  virtual int max_order() const { return 4; }
+
+  /// the values at the nodes (·,·,k) of a lattice.
+  /// \param out  `size[0]·size[1]` values, i fastest. The default calls `value()`; models that can do better override it.
+  ///             A value may differ from `value()` by rounding.
+  virtual void lattice_values(const Lattice& lattice, std::size_t k, double* out) const;
+
+protected:
+  Function_3() = default;
+  Function_3(const Function_3&) = default;
+  Function_3& operator=(const Function_3&) = default;
+};
+
+} // namespace CGAL::Extremal_mesh_3
+
+#endif // CGAL_EXTREMAL_MESH_3_FUNCTION_3_H

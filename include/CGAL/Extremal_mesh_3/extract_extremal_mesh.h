@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_EXTREMAL_MESH_3_EXTRACT_EXTREMAL_MESH_H
+#define CGAL_EXTREMAL_MESH_3_EXTRACT_EXTREMAL_MESH_H
+
+#include <CGAL/Extremal_mesh_3/Cell_complex.h>
+#include <CGAL/Extremal_mesh_3/Extremal_mesh.h>
+#include <CGAL/Extremal_mesh_3/Function_3.h>
+#include <CGAL/Extremal_mesh_3/errors.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Extremal_mesh_3 {
+
+/// How to extract.
+struct Extraction_options {
+  int threads = 0;    ///< 0: as many as the machine has cores. The result does not depend on it.
+  int max_level = 8;  ///< a cell is divided at most so many times, each time into cells of half the size
+  bool patches = false; ///< also return the surface cut along the lines
+  Progress progress;
+};
+
+/// What was met on the way.
+struct Extraction_report {
+  std::size_t surface_points = 0;     ///< vertices of the initial cells
+  std::size_t surface_cells = 0;      ///< initial cells
+  std::size_t refined_cells = 0;      ///< cells after subdivision
+  std::size_t accepted_cells = 0;     ///< cells whose configuration passed every test
+  std::size_t uncertain_cells = 0;    ///< cells taken as they were at the finest level
+  std::size_t interpolated_points = 0; ///< points that could not be placed on the surface itself
+  std::size_t degenerate_cells = 0;   ///< initial cells in which E_g = 0 up to rounding
+  int rounds = 0;                     ///< of subdivision
+};
+
+/// The surface cut along the extremal lines: polygons, each within one cell of the extremal mesh.
+struct Cell_patches {
+  std::vector<Point> points;
+  std::vector<Vector> normals;
+  std::vector<std::size_t> begin{0};   ///< polygon i has corners[begin[i] … begin[i+1])
+  std::vector<std::uint32_t> corners;  ///< indices of points, counter-clockwise seen from the normals' side
+  std::vector<std::uint32_t> cell;     ///< of each polygon: the cell of the extremal mesh
+};
+
+struct Extraction {
+  Extremal_mesh mesh;
+  Extraction_report report;
+  Cell_patches patches; ///< empty unless asked for
+};
+
+/// makes polygonal cells of the surface `f = 0` on a lattice: in each cube one or more polygons of any number of sides, whose
+/// vertices lie on the surface. Their normals point to where `f` is positive. sign(0) is taken as +.
+/// \return a closed oriented 2-manifold but for borders where the surface leaves the lattice, or the domain of `f`
+/// \throws Extraction_error if the surface does not meet the lattice
+Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, const Extraction_options& options = {});
+
+/// extracts the extremal mesh of the surface `f = 0` from cells that lie on it.
+/// \throws Degenerate_surface_error if `E_g = 0` (up to rounding) over most of the surface
+Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells, const Extraction_options& options = {});
+
+/// `make_implicit_cells()`, then extraction.
+Extraction extract_extremal_mesh(const Function_3& f, const Lattice& lattice, const Extraction_options& options = {});
+
+} // namespace CGAL::Extremal_mesh_3
+
+#endif // CGAL_EXTREMAL_MESH_3_EXTRACT_EXTREMAL_MESH_H
