@@ -1,0 +1,215 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The polygonal cells of an implicit surface on a lattice: the "weaving" of polygons in marching cubes, without its tables. In
+// each face of a cube the cut edges are joined by segments with the + side on their left (seen from outside the cube); the
+// segments of the six faces close up to polygons. A face is decided by itself, so both its cubes see the same segments.
+#include "surface_points.h"
+
+#include "../cells/parallel.h"
+
+#include <CGAL/Extremal_mesh_3/extract_extremal_mesh.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace CGAL::Extremal_mesh_3 {
+
+namespace {
+
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+// Corner c of a cube lies at offset (c & 1, c >> 1 & 1, c >> 2 & 1). An edge is given by its two corners; 12 of them.
+constexpr std::array<std::array<int, 2>, 12> edge_corners{{{0, 1}, {2, 3}, {4, 5}, {6, 7}, // along x
+                                                           {0, 2}, {1, 3}, {4, 6}, {5, 7}, // along y
+                                                           {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+// The corners of the faces, counter-clockwise seen from outside (in a right-handed lattice).
+constexpr std::array<std::array<int, 4>, 6> face_corners{
+    {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+
+constexpr int edge_between(int a, int b) {
+  for (int e = 0; e < 12; ++e)
+    if ((edge_corners[std::size_t(e)][0] == a && edge_corners[std::size_t(e)][1] == b) ||
+        (edge_corners[std::size_t(e)][0] == b && edge_corners[std::size_t(e)][1] == a))
+      return e;
+  return -1;
+}
+
+/// Two neighbouring slices of values and what was made of their edges.
+class Slab_walker {
+public:
+  Slab_walker(const Function_3& f, const Lattice& lattice)
+      : f_(f), lattice_(lattice), nx_(lattice.size[0]), ny_(lattice.size[1]) {
+    for (auto& slice : {&low_, &high_}) {
+      slice->x.assign(nx_ * ny_, none);
+      slice->y.assign(nx_ * ny_, none);
+    }
+    z_.assign(nx_ * ny_, none);
+    const auto& s = lattice.step;
+    left_handed_ = s[0][0] * (s[1][1] * s[2][2] - s[1][2] * s[2][1]) - s[0][1] * (s[1][0] * s[2][2] - s[1][2] * s[2][0]) +
+                       s[0][2] * (s[1][0] * s[2][1] - s[1][1] * s[2][0]) <
+                   0;
+  }
+
+  /// makes the polygons between slices k and k + 1, given the values on both.
+  void walk(std::size_t k, const double* low, const double* high) {
+    k_ = k;
+    values_ = {low, high};
+    for (std::size_t j = 0; j + 1 < ny_; ++j) {
+      const std::array<const double*, 4> rows{low + j * nx_, low + (j + 1) * nx_, high + j * nx_, high + (j + 1) * nx_};
+      const auto column = [&](std::size_t i) {
+        return unsigned(rows[0][i] >= 0) | unsigned(rows[1][i] >= 0) << 1 | unsigned(rows[2][i] >= 0) << 2 |
+               unsigned(rows[3][i] >= 0) << 3;
+      };
+      unsigned here = column(0);
+      for (std::size_t i = 0; i + 1 < nx_; ++i) {
+        const unsigned next = column(i + 1);
+        if (here != next || (here != 0 && here != 15))
+          cube(i, j);
+        here = next;
+      }
+    }
+    std::swap(low_, high_);
+    std::fill(high_.x.begin(), high_.x.end(), none);
+    std::fill(high_.y.begin(), high_.y.end(), none);
+    std::fill(z_.begin(), z_.end(), none);
+  }
+
+  std::vector<Cut_edge> cut_edges;
+  std::vector<std::size_t> polygon_begin{0};
+  std::vector<std::uint32_t> corners;
+
+private:
+  struct Slice {
+    std::vector<std::uint32_t> x, y; // the point on the lattice edge from node (i, j) along x, along y
+  };
+
+  void cube(std::size_t i, std::size_t j) {
+    std::array<double, 8> value;
+    for (unsigned c = 0; c < 8; ++c) {
+      value[c] = values_[c >> 2][(i + (c & 1)) + nx_ * (j + (c >> 1 & 1))];
+      if (!std::isfinite(value[c]))
+        return; // outside the domain: the surface has a border here
+    }
+    std::array<int, 12> next;
+    next.fill(-1);
+    for (const auto& face : face_corners)
+      join(face, value, i, j, next);
+    std::array<bool, 12> used{};
+    for (int e = 0; e < 12; ++e) {
+      if (next[std::size_t(e)] < 0 || used[std::size_t(e)])
+        continue;
+      const std::size_t first = corners.size();
+      for (int g = e; !used[std::size_t(g)]; g = next[std::size_t(g)]) {
+        used[std::size_t(g)] = true;
+        corners.push_back(point_on(g, i, j, value));
+      }
+      if (left_handed_)
+        std::reverse(corners.begin() + std::ptrdiff_t(first), corners.end());
+      polygon_begin.push_back(corners.size());
+    }
+  }
+
+  /// joins the cut edges of one face: next[e] is the edge to which the segment from e leads.
+  void join(const std::array<int, 4>& face, const std::array<double, 8>& value, std::size_t i, std::size_t j,
+            std::array<int, 12>& next) const {
+    std::array<bool, 4> plus;
+    for (std::size_t c = 0; c < 4; ++c)
+      plus[c] = value[std::size_t(face[c])] >= 0;
+    const bool ambiguous = plus[0] == plus[2] && plus[1] == plus[3] && plus[0] != plus[1];
+    const bool joined = ambiguous && plus_corners_joined(face, value, i, j);
+    for (std::size_t c = 0; c < 4; ++c) {
+      const std::size_t d = (c + 1) % 4;
+      if (!plus[c] || plus[d])
+        continue;
+      // A + run ends on this side. Its segment leads to where that run began, or, if the two + runs are joined
+      // through the middle of the face, to where the next one begins.
+      std::size_t s = joined ? d : c;
+      if (joined)
+        while (!(plus[(s + 1) % 4] && !plus[s]))
+          s = (s + 1) % 4;
+      else
+        while (!(plus[s] && !plus[(s + 3) % 4]))
+          s = (s + 3) % 4;
+      const std::size_t from = joined ? s : (s + 3) % 4;
+      next[std::size_t(edge_between(face[c], face[d]))] = edge_between(face[from], face[(from + 1) % 4]);
+    }
+  }
+
+  /// decides an ambiguous face by the sign of the function itself at the saddle of its bilinear interpolant.
+  bool plus_corners_joined(const std::array<int, 4>& face, const std::array<double, 8>& value, std::size_t i,
+                           std::size_t j) const {
+    // In an order that does not depend on the cube from which the face is seen.
+    std::array<int, 4> c = face;
+    std::sort(c.begin(), c.end());
+    const double v00 = value[std::size_t(c[0])], v10 = value[std::size_t(c[1])], v01 = value[std::size_t(c[2])],
+                 v11 = value[std::size_t(c[3])];
+    const double sum = (v00 - v10) + (v11 - v01);
+    const double s = (v00 - v01) / sum, t = (v00 - v10) / sum;
+    std::array<double, 3> at;
+    const std::array<std::size_t, 3> base{i, j, k_};
+    for (unsigned a = 0; a < 3; ++a) {
+      const int bit = 1 << a;
+      const double along_s = (c[1] & bit) != (c[0] & bit) ? s : 0, along_t = (c[2] & bit) != (c[0] & bit) ? t : 0;
+      at[a] = double(base[a] + ((c[0] & bit) != 0)) + along_s + along_t;
+    }
+    const double middle = f_.value(lattice_.node(at[0], at[1], at[2]));
+    return std::isfinite(middle) ? middle >= 0 : v00 * v11 - v10 * v01 >= 0;
+  }
+
+  std::uint32_t point_on(int edge, std::size_t i, std::size_t j, const std::array<double, 8>& value) {
+    const auto [a, b] = edge_corners[std::size_t(edge)];
+    const std::size_t axis = std::size_t(edge) / 4;
+    const std::size_t ia = i + std::size_t(a & 1), ja = j + std::size_t(a >> 1 & 1);
+    Slice& slice = a >> 2 ? high_ : low_;
+    std::uint32_t& id = (axis == 0 ? slice.x : axis == 1 ? slice.y : z_)[ia + nx_ * ja];
+    if (id == none) {
+      id = std::uint32_t(cut_edges.size());
+      cut_edges.push_back({{ia, ja, k_ + std::size_t(a >> 2)}, axis, value[std::size_t(a)], value[std::size_t(b)]});
+    }
+    return id;
+  }
+
+  const Function_3& f_;
+  const Lattice& lattice_;
+  std::size_t nx_, ny_, k_ = 0;
+  bool left_handed_ = false;
+  std::array<const double*, 2> values_{};
+  Slice low_, high_;
+  std::vector<std::uint32_t> z_;
+};
+
+} // namespace
+
+Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, const Extraction_options& options) {
+  for (const std::size_t n : lattice.size)
+    if (n < 2)
+      throw std::invalid_argument("a lattice must have at least 2 nodes along each axis");
+  Thread_pool pool(options.threads);
+
+  // Values are computed for a block of slices at a time, then the block is walked in order.
+  const std::size_t nodes = lattice.size[0] * lattice.size[1], slices = lattice.size[2];
+  const std::size_t block = std::clamp<std::size_t>((std::size_t(1) << 21) / nodes, 2, 16);
+  std::vector<double> values((block + 1) * nodes); // slice 0 is the last one of the block before
+  Slab_walker walker(f, lattice);
+  for (std::size_t first = 0; first < slices; first += block) {
+    const std::size_t count = std::min(block, slices - first);
+    pool.for_each(count, 1, [&](std::size_t s) { f.lattice_values(lattice, first + s, values.data() + (s + 1) * nodes); });
+    for (std::size_t s = first == 0 ? 1 : 0; s < count; ++s)
+      walker.walk(first + s - 1, values.data() + s * nodes, values.data() + (s + 1) * nodes);
+    std::copy_n(values.begin() + std::ptrdiff_t(count * nodes), nodes, values.begin());
+    if (options.progress && !options.progress(double(first + count) / double(slices)))
+      throw Cancelled();
+  }
+  if (walker.polygon_begin.size() == 1)
+    throw Extraction_error("the function has no zero surface in the box");
+
+  std::vector<Point> points(walker.cut_edges.size());
+  pool.for_each(points.size(), 256, [&](std::size_t p) { points[p] = surface_point(f, lattice, walker.cut_edges[p]); });
+  return make_cell_complex(std::move(points), walker.polygon_begin, walker.corners);
+}
+
+} // namespace CGAL::Extremal_mesh_3

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Loops over independent elements, on a given number of threads.
+#ifndef EXTREMAL_MESH_3_SRC_CELLS_PARALLEL_H
+#define EXTREMAL_MESH_3_SRC_CELLS_PARALLEL_H
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL::Extremal_mesh_3 {
+
+/// Runs loops on a number of threads; 0 is one per core.
+class Thread_pool {
+public:
+  /// \throws std::invalid_argument if `threads` is negative
+  explicit Thread_pool(int threads)
+      : arena_(threads == 0 ? tbb::task_arena::automatic : checked(threads)) {}
+
+  /// calls body(i) for i in [0, n), in any order. Element i may write only what is its own.
+  template <class Body> void for_each(std::size_t n, std::size_t grain, const Body& body) {
+    if (n == 0)
+      return;
+    arena_.execute([&] {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+          body(i);
+      });
+    });
+  }
+
+private:
+  static int checked(int threads) {
+    if (threads < 0)
+      throw std::invalid_argument("the number of threads is " + std::to_string(threads) + ", not 0 or more");
+    return threads;
+  }
+  tbb::task_arena arena_;
+};
+
+} // namespace CGAL::Extremal_mesh_3
+
+#endif // EXTREMAL_MESH_3_SRC_CELLS_PARALLEL_H

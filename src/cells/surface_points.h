@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Points of an implicit surface near given points.
+#ifndef EXTREMAL_MESH_3_SRC_CELLS_SURFACE_POINTS_H
+#define EXTREMAL_MESH_3_SRC_CELLS_SURFACE_POINTS_H
+
+#include <CGAL/Extremal_mesh_3/Function_3.h>
+
+#include <optional>
+
+namespace CGAL::Extremal_mesh_3 {
+
+/// A lattice edge at whose ends the function has different signs.
+struct Cut_edge {
+  std::array<std::size_t, 3> node; ///< the end with the smaller indices
+  std::size_t axis;
+  double value0, value1; ///< at the two ends
+};
+
+/// a point of the surface on the edge, found on the function itself. Where it is very near to a node, a
+/// neighbouring point of the surface is taken instead: cells must not shrink to a point where the surface goes through a node.
+Point surface_point(const Function_3& f, const Lattice& lattice, const Cut_edge& edge);
+
+/// the point x + s·direction of the surface that is nearest to x.
+/// \param reach  the greatest |s|
+/// \return nothing if Newton's iteration does not find one
+std::optional<Point> project(const Function_3& f, const Point& x, const Vector& direction, double reach);
+
+} // namespace CGAL::Extremal_mesh_3
+
+#endif // EXTREMAL_MESH_3_SRC_CELLS_SURFACE_POINTS_H
