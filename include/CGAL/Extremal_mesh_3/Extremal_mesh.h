@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,8 +28,8 @@ enum class Vertex_kind : std::uint8_t {
 /// The pattern of lines of curvature around a generic umbilic.
 enum class Umbilic_type : std::uint8_t { none, lemon, monstar, star };
 
-/// The type of a piece of an extremal line [Thirion 1993, 2.5]: is |k_i| locally maximal or minimal along its own line of curvature,
-/// and is it the larger or the smaller of |k1| and |k2|. `max_largest` lines are the crest lines.
+/// The type of a piece of an extremal line [Thirion 1993, 2.5]: is |k_i| locally maximal or minimal along its own line
+/// of curvature, and is it the larger or the smaller of |k1| and |k2|. `max_largest` lines are the crest lines.
 enum class Line_type : std::uint8_t { max_largest, min_largest, max_second, min_second };
 
 std::string_view to_string(Vertex_kind);
@@ -58,15 +59,15 @@ struct Extremal_mesh_vertex {
 /// An extremal line between two vertices (an edge of the extremal mesh).
 struct Extremal_mesh_edge {
   std::uint32_t id = 0;
-  std::uint32_t source = 0, target = 0; ///< the ends of half-edge 2·id
-  int family = 1;                       ///< e_family = 0 along the edge
-  std::vector<Point> polyline;          ///< on the surface, from source to target, both included
-  std::vector<double> k1, k2;           ///< principal curvatures at the polyline's points
-  std::vector<Line_type> segment_types; ///< one per segment of the polyline
+  std::uint32_t source = 0, target = 0;    ///< the ends of half-edge 2·id
+  int family = 1;                          ///< e_family = 0 along the edge
+  std::vector<Point> polyline;             ///< on the surface, from source to target, both included
+  std::vector<double> k1, k2;              ///< principal curvatures at the polyline's points
+  std::vector<Line_type> segment_types;    ///< one per segment of the polyline
   Line_type type = Line_type::max_largest; ///< the type of the greatest part of the length
   double length = 0;
-  double strength = 0;  ///< ∫|k_family| ds, no unit
-  double sharpness = 0; ///< area of the surface × ∫|∇e_family·t_family| ds, no unit
+  double strength = 0;                         ///< ∫|k_family| ds, no unit
+  double sharpness = 0;                        ///< area of the surface × ∫|∇e_family·t_family| ds, no unit
   std::uint32_t left_cell = 0, right_cell = 0; ///< walking from source to target with the normal upwards
 };
 
@@ -102,32 +103,30 @@ struct Surface_info {
 
 /// The extremal mesh of a surface: a graph drawn on it, with its cells. [Thirion 1993]
 ///
-/// `graph()` is an undirected Boost.Graph (multi-edges and self-loops occur) whose vertex descriptors are 0, 1, …, whose bundled
-/// properties are `Extremal_mesh_vertex` and `Extremal_mesh_edge`, and whose edges are iterated in the order of their ids.
+/// `graph()` is an undirected Boost.Graph (multi-edges and self-loops occur) whose vertex descriptors are 0, 1, …,
+/// whose bundled properties are `Extremal_mesh_vertex` and `Extremal_mesh_edge`, and whose edges are iterated in the
+/// order of their ids. Copies share the graph; a mesh that was moved from can only be assigned to or destroyed.
 class Extremal_mesh {
 public:
-  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Extremal_mesh_vertex,
-                                      Extremal_mesh_edge>;
+  using Graph =
+      boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Extremal_mesh_vertex, Extremal_mesh_edge>;
   using vertex_descriptor = boost::graph_traits<Graph>::vertex_descriptor;
   using edge_descriptor = boost::graph_traits<Graph>::edge_descriptor;
 
-  Extremal_mesh() = default;
-  /// \throws std::invalid_argument naming the element if an id, end, cell, star or boundary walk names one that does not exist
+  Extremal_mesh() : graph_(std::make_shared<const Graph>()) {}
+  /// \throws std::invalid_argument naming the element if an id, end, cell, star or boundary walk names one that does
+  /// not exist, or
+  ///         the arrays of an edge do not fit together
   Extremal_mesh(std::vector<Extremal_mesh_vertex> vertices, std::vector<Extremal_mesh_edge> edges,
                 std::vector<Extremal_mesh_cell> cells, Surface_info surface);
-  Extremal_mesh(const Extremal_mesh& other);
-  Extremal_mesh(Extremal_mesh&& other) noexcept = default;
-  Extremal_mesh& operator=(const Extremal_mesh& other);
-  Extremal_mesh& operator=(Extremal_mesh&& other) noexcept = default;
-  ~Extremal_mesh() = default;
 
-  const Graph& graph() const { return graph_; }
-  std::size_t number_of_vertices() const { return boost::num_vertices(graph_); }
+  const Graph& graph() const { return *graph_; }
+  std::size_t number_of_vertices() const { return boost::num_vertices(*graph_); }
   std::size_t number_of_edges() const { return edges_.size(); }
   std::size_t number_of_cells() const { return cells_.size(); }
 
-  const Extremal_mesh_vertex& vertex(std::size_t v) const { return graph_[v]; }
-  const Extremal_mesh_edge& edge(std::size_t e) const { return graph_[edges_[e]]; }
+  const Extremal_mesh_vertex& vertex(std::size_t v) const { return (*graph_)[v]; }
+  const Extremal_mesh_edge& edge(std::size_t e) const { return (*graph_)[edges_[e]]; }
   edge_descriptor edge_descriptor_of(std::size_t e) const { return edges_[e]; }
   const Extremal_mesh_cell& cell(std::size_t c) const { return cells_[c]; }
   const std::vector<Extremal_mesh_cell>& cells() const { return cells_; }
@@ -142,9 +141,9 @@ public:
   void set_provenance(std::string source, std::string parameters, std::string frame);
 
 private:
-  void collect_edges();
-
-  Graph graph_;
+  // Edge descriptors point into the graph, and a Boost 1.74 adjacency_list has no move constructor: copies and moved
+  // meshes share the graph, which never changes, so that their descriptors stay good.
+  std::shared_ptr<const Graph> graph_;
   std::vector<edge_descriptor> edges_;
   std::vector<Extremal_mesh_cell> cells_;
   Surface_info surface_;
