@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_EXTREMAL_MESH_3_JET_H
+#define CGAL_EXTREMAL_MESH_3_JET_H
+
+#include <CGAL/Extremal_mesh_3/internal/Taylor_indices.h>
+
+#include <compare>
+
+namespace CGAL::Extremal_mesh_3 {
+
+/// A number that carries its Taylor polynomial in x, y and z: computing with jets instead of doubles gives a function's
+/// derivatives up to a total order, exact to rounding, without a formula for them.
+///
+/// Arithmetic, mixed with double, is found in this header, and `sqrt exp log log2 log10 sin cos tan asin acos atan
+/// atan2 sinh cosh tanh abs min max pow cbrt hypot square` in the same namespace, so that
+/// `using std::sqrt; sqrt(u)` serves both. Comparisons look at the value alone. Where a function has a
+/// kink (`abs`, `min`, `max`) a jet is that of one branch: at a tie `abs(u)` is `u` and `min(u, v)`, `max(u, v)` are
+/// `u`. Outside of a function's domain everything is NaN; at its border (`sqrt` at 0) derivatives are infinite or NaN.
+/// A product at order 4 takes 210 multiplications, a function about 260.
+/// \tparam Order  highest order of derivatives, 1 to 4
+template <int Order> class Basic_jet {
+  static_assert(Order >= 1 && Order <= internal::max_taylor_order);
+
+public:
+  static constexpr int order = Order;
+  static constexpr std::size_t size = internal::taylor_size(Order);
+
+  /// a constant.
+  constexpr Basic_jet(double value = 0) : c_{value} {} // NOLINT: constants mix freely with jets
+
+  /// one of the variables.
+  /// \param axis  0, 1 or 2 for x, y, z
+  static constexpr Basic_jet variable(double value, std::size_t axis) {
+    Basic_jet u(value);
+    u.c_[1 + axis] = 1;
+    return u;
+  }
+
+  constexpr double value() const { return c_[0]; }
+
+  /// the Taylor coefficient of number `i`, in the order of `Derivatives` (1, x, y, z, xx, xy, …).
+  constexpr double operator[](std::size_t i) const { return c_[i]; }
+  constexpr double& operator[](std::size_t i) { return c_[i]; }
+
+  /// fills the derivatives up to `up_to`, at most `Order`.
+  void store(Derivatives& d, int up_to = Order) const {
+    internal::taylor_to_derivatives([this](std::size_t i) { return c_[i]; }, up_to, d);
+  }
+
+  /// the derivatives up to `Order`; those above are 0.
+  explicit operator Derivatives() const {
+    Derivatives d;
+    store(d);
+    return d;
+  }
+
+  constexpr Basic_jet& operator+=(const Basic_jet& v) {
+    for (std::size_t i = 0; i < size; ++i)
+      c_[i] += v.c_[i];
+    return *this;
+  }
+  constexpr Basic_jet& operator-=(const Basic_jet& v) {
+    for (std::size_t i = 0; i < size; ++i)
+      c_[i] -= v.c_[i];
+    return *this;
+  }
+  constexpr Basic_jet& operator*=(double s) {
+    for (double& c : c_)
+      c *= s;
+    return *this;
+  }
+  constexpr Basic_jet& operator/=(double s) {
+    for (double& c : c_)
+      c /= s;
+    return *this;
+  }
+  constexpr Basic_jet& operator+=(double s) { return c_[0] += s, *this; }
+  constexpr Basic_jet& operator-=(double s) { return c_[0] -= s, *this; }
+  constexpr Basic_jet& operator*=(const Basic_jet& v) { return *this = *this * v; }
+  constexpr Basic_jet& operator/=(const Basic_jet& v) { return *this = *this / v; }
+
+  friend constexpr Basic_jet operator+(const Basic_jet& u) { return u; }
+  friend constexpr Basic_jet operator-(Basic_jet u) {
+    for (double& c : u.c_)
+      c = -c;
+    return u;
+  }
+  friend constexpr Basic_jet operator+(Basic_jet u, const Basic_jet& v) { return u += v; }
+  friend constexpr Basic_jet operator+(Basic_jet u, double s) { return u += s; }
+  friend constexpr Basic_jet operator+(double s, Basic_jet u) { return u += s; }
+  friend constexpr Basic_jet operator-(Basic_jet u, const Basic_jet& v) { return u -= v; }
+  friend constexpr Basic_jet operator-(Basic_jet u, double s) { return u -= s; }
+  friend constexpr Basic_jet operator-(double s, const Basic_jet& u) { return -u += s; }
+  friend constexpr Basic_jet operator*(Basic_jet u, double s) { return u *= s; }
+  friend constexpr Basic_jet operator*(double s, Basic_jet u) { return u *= s; }
+  friend constexpr Basic_jet operator/(Basic_jet u, double s) { return u /= s; }
+  friend constexpr Basic_jet operator/(double s, const Basic_jet& u) { return Basic_jet(s) / u; }
+
+  friend constexpr Basic_jet operator*(const Basic_jet& u, const Basic_jet& v) {
+    Basic_jet w;
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t j = 0; j < internal::taylor_size(Order - internal::taylor_tables.degree[i]); ++j)
+        w.c_[internal::taylor_tables.product[i][j]] += u.c_[i] * v.c_[j];
+    return w;
+  }
+
+  /// the quotient, from the recurrence that `(u/v)·v = u` gives coefficient by coefficient.
+  friend constexpr Basic_jet operator/(const Basic_jet& u, const Basic_jet& v) {
+    Basic_jet q = u;
+    for (std::size_t i = 0; i < size; ++i) { // q[i] is complete when its turn comes: its terms have lower degrees
+      q.c_[i] /= v.c_[0];
+      for (std::size_t j = 1; j < internal::taylor_size(Order - internal::taylor_tables.degree[i]); ++j)
+        q.c_[internal::taylor_tables.product[i][j]] -= q.c_[i] * v.c_[j];
+    }
+    return q;
+  }
+
+  friend constexpr bool operator==(const Basic_jet& u, const Basic_jet& v) { return u.c_[0] == v.c_[0]; }
+  friend constexpr bool operator==(const Basic_jet& u, double s) { return u.c_[0] == s; }
+  friend constexpr std::partial_ordering operator<=>(const Basic_jet& u, const Basic_jet& v) {
+    return u.c_[0] <=> v.c_[0];
+  }
+  friend constexpr std::partial_ordering operator<=>(const Basic_jet& u, double s) { return u.c_[0] <=> s; }
+
+private:
+  std::array<double, size> c_{};
+};
+
+/// A number with all its 35 Taylor coefficients up to order 4.
+using Jet = Basic_jet<4>;
+
+} // namespace CGAL::Extremal_mesh_3
+
+#include <CGAL/Extremal_mesh_3/internal/Jet_functions.h>
+
+#endif // CGAL_EXTREMAL_MESH_3_JET_H
