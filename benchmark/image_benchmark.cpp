@@ -78,7 +78,8 @@ void run(double sigma, int degree) {
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = 0; i + 1 < n; ++i)
         if ((slice[n * j + i] < 0) != (slice[n * j + i + 1] < 0))
-          points.push_back(function.lattice().node(static_cast<double>(i) + 0.4, static_cast<double>(j), static_cast<double>(k)));
+          points.push_back(
+              function.lattice().node(static_cast<double>(i) + 0.4, static_cast<double>(j), static_cast<double>(k)));
   }
 
   double sum = 0;

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Each pass copies a strip of lines into a small buffer with its border values repeated, and writes the filtered strip
+// back over the original. All three passes filter several neighbouring results at once, in the lanes of a vector; the
+// sum of each result is always taken in the same order, so that neither threads nor the vector unit can change a bit.
+
+#include "lanes.h"
+#include "smoothing.h"
+
+#include <CGAL/Extremal_mesh_3/errors.h>
+
+#include <algorithm>
+#include <mutex>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace CGAL::Extremal_mesh_3 {
+namespace {
+
+constexpr std::size_t lanes = 16;       // one strip of registers
+constexpr std::size_t strip_width = 64; // a few cache lines, so that a strip of 256 lines stays in the first caches
+
+std::size_t rounded_up_to_lanes(std::size_t n) {
+  return (n + lanes - 1) / lanes * lanes;
+}
+
+// out[x] = Σ_j k[j] (in[x − j·stride] + in[x + j·stride]), for x up to n rounded up to lanes; from the small weights
+// outside to the large ones inside, for the least rounding.
+void filter(const float* in, std::size_t stride, const Half_kernel& k, float* out, std::size_t n) {
+  for (std::size_t x = 0; x < n; x += lanes) {
+    Four_floats sum[lanes / 4] = {};
+    for (std::size_t j = k.size() - 1; j > 0; --j) {
+      const float weight = k[j];
+      const float* const before = in + x - j * stride;
+      const float* const after = in + x + j * stride;
+#pragma GCC unroll 4
+      for (std::size_t l = 0; l < lanes / 4; ++l)
+        sum[l] += weight * (load(before + 4 * l) + load(after + 4 * l));
+    }
+#pragma GCC unroll 4
+    for (std::size_t l = 0; l < lanes / 4; ++l)
+      store(out + x + 4 * l, sum[l] + k[0] * load(in + x + 4 * l));
+  }
+}
+
+// Filters one line whose values are next to each other.
+void filter_row(float* row, std::size_t n, const Half_kernel& k, std::vector<float>& buffer) {
+  const std::size_t radius = k.size() - 1;
+  const std::size_t padded = rounded_up_to_lanes(n);
+  buffer.resize(2 * padded + 2 * radius);
+  float* const in = buffer.data();
+  std::fill_n(in, radius, row[0]);
+  std::copy_n(row, n, in + radius);
+  std::fill_n(in + radius + n, radius + padded - n, row[n - 1]);
+  float* const out = in + 2 * radius + padded;
+  filter(in + radius, 1, k, out, n);
+  std::copy_n(out, n, row);
+}
+
+// Filters `width` lines side by side, each of `n` values that are `stride` apart.
+void filter_strip(float* first, std::size_t stride, std::size_t n, std::size_t width, const Half_kernel& k,
+                  std::vector<float>& buffer) {
+  const std::size_t radius = k.size() - 1;
+  const std::size_t padded = rounded_up_to_lanes(width);
+  buffer.resize((n + 2 * radius + 1) * padded);
+  float* line = buffer.data();
+  for (std::size_t i = 0; i < n + 2 * radius; ++i, line += padded)
+    std::copy_n(first + stride * (std::clamp(i, radius, radius + n - 1) - radius), width, line);
+  for (std::size_t i = 0; i < n; ++i) {
+    filter(buffer.data() + (i + radius) * padded, padded, k, line, width);
+    std::copy_n(line, width, first + i * stride);
+  }
+}
+
+// Turns finished pieces of work into calls of the user's function, one at a time.
+class Reporter {
+public:
+  Reporter(const Progress& progress, std::size_t pieces) : progress_(progress), pieces_(pieces) {}
+
+  void finished(std::size_t pieces) {
+    if (!progress_)
+      return;
+    const std::scoped_lock lock(mutex_);
+    done_ += pieces;
+    if (cancelled_ || !progress_(static_cast<double>(done_) / static_cast<double>(pieces_))) {
+      cancelled_ = true;
+      throw Cancelled();
+    }
+  }
+
+private:
+  const Progress& progress_;
+  std::size_t pieces_, done_ = 0;
+  bool cancelled_ = false;
+  std::mutex mutex_;
+};
+
+} // namespace
+
+void convolve(std::span<float> voxels, const std::array<std::size_t, 3>& size,
+              const std::array<Half_kernel, 3>& kernels, int threads, const Progress& progress) {
+  const auto [nx, ny, nz] = size;
+  const std::size_t slice_size = nx * ny;
+  const std::size_t strips = (slice_size + strip_width - 1) / strip_width;
+  Reporter reporter(progress, nz + strips);
+
+  const auto within_slices = [&, nx = nx, ny = ny](const tbb::blocked_range<std::size_t>& slices) {
+    std::vector<float> buffer;
+    for (std::size_t k = slices.begin(); k < slices.end(); ++k) {
+      float* const slice = voxels.data() + k * slice_size;
+      for (std::size_t j = 0; j < ny; ++j)
+        filter_row(slice + j * nx, nx, kernels[0], buffer);
+      for (std::size_t x = 0; x < nx; x += strip_width)
+        filter_strip(slice + x, nx, ny, std::min(strip_width, nx - x), kernels[1], buffer);
+    }
+    reporter.finished(slices.size());
+  };
+  const auto across_slices = [&, nz = nz](const tbb::blocked_range<std::size_t>& range) {
+    std::vector<float> buffer;
+    for (std::size_t s = range.begin(); s < range.end(); ++s) {
+      const std::size_t first = s * strip_width;
+      filter_strip(voxels.data() + first, slice_size, nz, std::min(strip_width, slice_size - first), kernels[2],
+                   buffer);
+    }
+    reporter.finished(range.size());
+  };
+  tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : threads);
+  arena.execute([&, nz = nz] {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, nz), within_slices);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, strips, 8), across_slices);
+  });
+}
+
+} // namespace CGAL::Extremal_mesh_3

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_EXTREMAL_MESH_3_SRC_IMAGES_NODE_VALUES_H
+#define CGAL_EXTREMAL_MESH_3_SRC_IMAGES_NODE_VALUES_H
+
+#include "spline.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Extremal_mesh_3 {
+
+/// computes `iso` minus the spline at all nodes (·,·,k): at a node a spline is a small symmetric filter of its
+/// coefficients, [1 26 66 26 1]/120 along each axis for degree 5.
+/// \param out  `size[0]·size[1]` values
+template <int Degree> void node_values(const Spline_volume& volume, std::size_t k, double iso, double* out) {
+  constexpr std::size_t radius = (Degree - 1) / 2;
+  const auto [nx, ny, nz] = volume.size;
+  std::array<double, radius + 1> w; // w[0] is the centre's
+  for (std::size_t r = 0; r <= radius; ++r)
+    w[r] = spline_weights<Degree, 0>(0)[0][radius - r];
+
+  const auto clamped = [](std::size_t i, std::size_t n) { return std::clamp(i, +radius, radius + n - 1) - radius; };
+  std::array<const float*, 2 * radius + 1> slices;
+  for (std::size_t r = 0; r < slices.size(); ++r)
+    slices[r] = volume.coefficients.data() + clamped(k + r, nz) * nx * ny;
+
+  // The rows of the slice filtered along z, the last few of them in turn: row j − radius + r is lines[(j + r) % n].
+  std::vector<double> lines(slices.size() * nx), padded(nx + 2 * radius);
+  const auto filter_along_z = [&, nx = nx, ny = ny](std::size_t r) {
+    const std::size_t first = clamped(r, ny) * nx;
+    double* const line = lines.data() + r % slices.size() * nx;
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < nx; ++i) {
+      double sum = w[0] * static_cast<double>(slices[radius][first + i]);
+      for (std::size_t s = 1; s <= radius; ++s)
+        sum += w[s] * (static_cast<double>(slices[radius - s][first + i]) +
+                       static_cast<double>(slices[radius + s][first + i]));
+      line[i] = sum;
+    }
+  };
+  for (std::size_t r = 0; r < 2 * radius; ++r)
+    filter_along_z(r);
+  for (std::size_t j = 0; j < ny; ++j) {
+    filter_along_z(j + 2 * radius);
+    std::array<const double*, 2 * radius + 1> rows;
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      rows[r] = lines.data() + (j + r) % rows.size() * nx;
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < nx; ++i) {
+      double sum = w[0] * rows[radius][i];
+      for (std::size_t s = 1; s <= radius; ++s)
+        sum += w[s] * (rows[radius - s][i] + rows[radius + s][i]);
+      padded[radius + i] = sum;
+    }
+    std::fill_n(padded.begin(), radius, padded[radius]);
+    std::fill_n(padded.end() - radius, radius, padded[radius + nx - 1]);
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < nx; ++i) {
+      double sum = w[0] * padded[radius + i];
+      for (std::size_t s = 1; s <= radius; ++s)
+        sum += w[s] * (padded[radius + i - s] + padded[radius + i + s]);
+      out[nx * j + i] = iso - sum;
+    }
+  }
+}
+
+} // namespace CGAL::Extremal_mesh_3
+
+#endif // CGAL_EXTREMAL_MESH_3_SRC_IMAGES_NODE_VALUES_H

@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_EXTREMAL_MESH_3_SRC_IMAGES_SPLINE_H
+#define CGAL_EXTREMAL_MESH_3_SRC_IMAGES_SPLINE_H
+
+#include "lanes.h"
+
+#include <CGAL/Extremal_mesh_3/types.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Extremal_mesh_3 {
+
+/// The highest order of derivatives that is computed.
+inline constexpr int max_spline_order = 4;
+
+/// The weights of the `Degree + 1` coefficients around a point, `[m]` being those of the m-th derivative.
+template <int Degree, int Order> using Spline_weights = std::array<std::array<double, Degree + 1>, Order + 1>;
+
+/// computes the values and derivatives up to `Order` of the uniform B-splines at the fraction `t` of a cell.
+/// The coefficients are those of the nodes `i − (Degree−1)/2` to `i + (Degree+1)/2`, the point being `i + t`.
+template <int Degree, int Order> Spline_weights<Degree, Order> spline_weights(double t) {
+  Spline_weights<Degree, Order> weights;
+  std::array<double, Degree + 1> b{1}; // of degree 0
+#pragma GCC unroll 8
+  for (int degree = 0; degree <= Degree; ++degree) {
+    if (const int m = Degree - degree; m <= Order) {
+      // The m-th derivative is the m-th difference of the B-splines of degree Degree − m.
+      std::array<double, Degree + 1>& w = weights[static_cast<std::size_t>(m)];
+      w = b;
+#pragma GCC unroll 8
+      for (int d = degree + 1; d <= Degree; ++d) {
+#pragma GCC unroll 8
+        for (auto l = static_cast<std::size_t>(d); l > 0; --l)
+          w[l] = w[l - 1] - w[l];
+        w[0] = -w[0];
+      }
+    }
+    // The next degree, by Cox and de Boor's recursion on uniform knots; after the last one there is no room.
+    const double scale = 1.0 / (degree + 1);
+#pragma GCC unroll 8
+    for (auto l = static_cast<std::size_t>(degree + 1); l > 0; --l)
+      if (l <= Degree)
+        b[l] = scale * ((t + degree + 1 - static_cast<double>(l)) * b[l - 1] + (1 - t + static_cast<double>(l)) * b[l]);
+    b[0] *= scale * (1 - t);
+  }
+  return weights;
+}
+
+/// A volume of B-spline coefficients; beyond the border each is that at the border.
+struct Spline_volume {
+  std::vector<float> coefficients; ///< the first axis fastest
+  std::array<std::size_t, 3> size{};
+};
+
+/// The partial derivatives of a spline: `[a][b][c]` is ∂^(a+b+c) / ∂x^a ∂y^b ∂z^c, in units of the lattice.
+using Partials =
+    std::array<std::array<std::array<double, max_spline_order + 1>, max_spline_order + 1>, max_spline_order + 1>;
+
+/// computes the spline's derivatives of all orders up to `Order` at `u`, given in units of the lattice.
+/// \pre `u` is finite
+template <int Degree, int Order> void evaluate_spline(const Spline_volume& volume, const Point& u, Partials& partials) {
+  constexpr std::size_t width = Degree + 1;
+  constexpr std::size_t orders = Order + 1;
+  std::array<Spline_weights<Degree, Order>, 3> w;
+  std::array<std::array<std::size_t, width>, 3> node; // of the coefficients
+  for (std::size_t a = 0; a < 3; ++a) {
+    // Farther out all coefficients are the same one, so that the spline is constant.
+    const auto last = static_cast<double>(volume.size[a] - 1);
+    const double x = std::clamp(u[a], -static_cast<double>(width), last + static_cast<double>(width));
+    const double cell = std::floor(x);
+    w[a] = spline_weights<Degree, Order>(x - cell);
+    for (std::size_t l = 0; l < width; ++l)
+      node[a][l] = static_cast<std::size_t>(std::clamp(cell + static_cast<double>(l) - (Degree - 1) / 2, 0.0, last));
+  }
+  const bool within_row = node[0][width - 1] - node[0][0] == width - 1;
+
+  // z first, then y, with the row along x side by side in the vector unit; the sums have a fixed order.
+  constexpr std::size_t pairs = width / 2;
+  Two_doubles yz[orders][orders][pairs] = {}; // [order in z][order in y]
+  for (std::size_t j = 0; j < width; ++j) {
+    Two_doubles z[orders][pairs] = {};
+    for (std::size_t k = 0; k < width; ++k) {
+      const float* row = volume.coefficients.data() + volume.size[0] * (node[1][j] + volume.size[1] * node[2][k]);
+      float clamped[width];
+      if (within_row)
+        row += node[0][0];
+      else {
+        for (std::size_t i = 0; i < width; ++i)
+          clamped[i] = row[node[0][i]];
+        row = clamped;
+      }
+#pragma GCC unroll 4
+      for (std::size_t i = 0; i < pairs; ++i) {
+        const Two_doubles c_i = {static_cast<double>(row[2 * i]), static_cast<double>(row[2 * i + 1])};
+#pragma GCC unroll 5
+        for (std::size_t c = 0; c < orders; ++c)
+          z[c][i] += w[2][c][k] * c_i;
+      }
+    }
+#pragma GCC unroll 5
+    for (std::size_t c = 0; c < orders; ++c)
+#pragma GCC unroll 5
+      for (std::size_t b = 0; b + c < orders; ++b)
+#pragma GCC unroll 4
+        for (std::size_t i = 0; i < pairs; ++i)
+          yz[c][b][i] += w[1][b][j] * z[c][i];
+  }
+  for (std::size_t c = 0; c < orders; ++c)
+    for (std::size_t b = 0; b + c < orders; ++b)
+      for (std::size_t a = 0; a + b + c < orders; ++a) {
+        double sum = 0;
+#pragma GCC unroll 4
+        for (std::size_t i = 0; i < pairs; ++i)
+          sum += w[0][a][2 * i] * yz[c][b][i][0] + w[0][a][2 * i + 1] * yz[c][b][i][1];
+        partials[a][b][c] = sum;
+      }
+}
+
+} // namespace CGAL::Extremal_mesh_3
+
+#endif // CGAL_EXTREMAL_MESH_3_SRC_IMAGES_SPLINE_H
