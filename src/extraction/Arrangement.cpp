@@ -1,0 +1,268 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Arrangement.h"
+
+#include "../cells/parallel.h"
+#include "../differential/vector.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL::Extremal_mesh_3 {
+
+namespace {
+
+/// the crossings that a cell without zeros would have joined in pairs: neighbours at the same level of the phase, once rising, once falling.
+/// \param partner  for each crossing its partner, or −1 if it is left over
+void join_pairs(const Border_crossings& met, std::vector<int>& partner) {
+  const int n = int(met.crossings.size());
+  partner.assign(std::size_t(n), -1);
+  std::vector<int> open; // crossings still without a partner, in order
+  for (int i = 0; i < n; ++i) {
+    const Border_crossing& c = met.crossings[std::size_t(i)];
+    if (!open.empty()) {
+      const Border_crossing& last = met.crossings[std::size_t(open.back())];
+      if (last.level == c.level && last.rising != c.rising) {
+        partner[std::size_t(i)] = open.back();
+        partner[std::size_t(open.back())] = i;
+        open.pop_back();
+        continue;
+      }
+    }
+    open.push_back(i);
+  }
+  // The border is a circle: the last may pair with the first, whose level is 2·winding higher after a turn.
+  std::size_t first = 0;
+  while (open.size() - first >= 2) {
+    const Border_crossing &a = met.crossings[std::size_t(open[first])], &b = met.crossings[std::size_t(open.back())];
+    if (b.level != a.level + 2 * met.winding_phi || a.rising == b.rising)
+      break;
+    partner[std::size_t(open[first])] = open.back();
+    partner[std::size_t(open.back())] = open[first];
+    ++first;
+    open.pop_back();
+  }
+}
+
+} // namespace
+
+Arrangement::Arrangement(Refined_complex& complex, const Extraction_options& options) : complex_(complex) {
+  number_crossings();
+  place_crossings(options);
+  node_of_cell_.assign(complex.cells().size(), no_id);
+  for (std::size_t c = 0; c < complex.cells().size(); ++c)
+    if (!complex.cells()[c].divided)
+      draw(std::uint32_t(c));
+}
+
+void Arrangement::number_crossings() {
+  const auto& edges = complex_.edges();
+  const auto& samples = complex_.samples();
+  first_crossing_.assign(edges.size() + 1, 0);
+  first_interval_.assign(edges.size(), 0);
+  std::uint32_t intervals = std::uint32_t(samples.size());
+  for (std::uint32_t e = 0; e < edges.size(); ++e) {
+    std::int32_t from = 0, to = 0;
+    if (!edges[e].divided()) {
+      from = samples[edges[e].a].positive ? 0 : -1;
+      to = (samples[edges[e].b].positive ? 0 : -1) + 2 * edges[e].winding;
+    }
+    const std::uint32_t count = std::uint32_t(std::abs(to - from));
+    first_crossing_[e + 1] = first_crossing_[e] + count;
+    first_interval_[e] = intervals;
+    if (count > 1)
+      intervals += count - 1;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      Crossing c;
+      c.edge = e;
+      c.ordinal = i;
+      const std::int32_t level = to > from ? from + 1 + std::int32_t(i) : from - std::int32_t(i);
+      c.family = level % 2 != 0 ? 1 : 2;
+      crossings_.push_back(c);
+    }
+  }
+  number_of_intervals_ = intervals;
+}
+
+std::uint32_t Arrangement::interval(std::uint32_t edge, std::uint32_t ordinal) const {
+  if (ordinal == 0)
+    return complex_.edges()[edge].a;
+  if (ordinal == crossings_of(edge))
+    return complex_.edges()[edge].b;
+  return first_interval_[edge] + ordinal - 1;
+}
+
+void Arrangement::place_crossings(const Extraction_options& options) {
+  Thread_pool pool(options.threads);
+  pool.for_each(crossings_.size(), 32, [&](std::size_t i) { place(crossings_[i], crossings_of(crossings_[i].edge)); });
+}
+
+void Arrangement::place(Crossing& crossing, std::uint32_t count) const {
+  const Refined_edge& edge = complex_.edges()[crossing.edge];
+  const Sample *a = &complex_.samples()[edge.a], *b = &complex_.samples()[edge.b];
+  double ordinal = crossing.ordinal;
+  if (b->p < a->p) { // the same bits whatever way the edge is numbered
+    std::swap(a, b);
+    ordinal = double(count - 1 - crossing.ordinal);
+  }
+  // The phase above its level. It is nearly linear along the edge, also close to an extremal point, where Φ is not.
+  const double turned = crossing.family == 1 ? -1 : 1;
+  const auto height = [&](const Sample& s) { return std::arg(turned * s.shape.Phi()); };
+  Sample s = *a;
+  if (count > 1) {
+    s = sample_between(complex_.surface(), *a, *b, (ordinal + 1) / (count + 1)); // unresolved at the finest level
+  } else {
+    // Regula falsi in the form of Anderson and Björck, with a bisection where it is slow.
+    double low = 0, high = 1, h_low = height(*a), h_high = height(*b);
+    for (int i = 0; i < 60 && high - low > 1e-13; ++i) {
+      double t = low - h_low * (high - low) / (h_high - h_low);
+      if (!(t > low && t < high) || i % 8 == 7)
+        t = low + (high - low) / 2;
+      s = sample_between(complex_.surface(), *a, *b, t);
+      const double h = height(s);
+      if (std::abs(h) < 1e-14)
+        break;
+      const bool at_low = (h < 0) == (h_low < 0);
+      double& kept = at_low ? h_high : h_low;
+      const double factor = 1 - h / (at_low ? h_low : h_high);
+      kept *= factor > 0 ? factor : 0.5;
+      (at_low ? low : high) = t;
+      (at_low ? h_low : h_high) = h;
+    }
+  }
+  const Principal_quantities q = principal_quantities(s.shape);
+  crossing.p = s.p;
+  crossing.n = s.shape.n;
+  crossing.k1 = q.k1;
+  crossing.k2 = q.k2;
+  crossing.derivative =
+      complex_.surface().extremality_derivative(s, crossing.family, 1e-3 * distance(a->p, b->p));
+}
+
+std::uint32_t Arrangement::id(const Border_crossings& met, std::size_t i) const {
+  const Half_edge h = met.crossings[i].half_edge;
+  std::uint32_t before = 0; // crossings of the same half-edge that come earlier on the walk
+  while (before < i && met.crossings[i - before - 1].half_edge == h)
+    ++before;
+  const std::uint32_t ordinal = h % 2 == 0 ? before : crossings_of(h / 2) - 1 - before;
+  return first_crossing_[h / 2] + ordinal;
+}
+
+void Arrangement::draw(std::uint32_t c) {
+  const Refined_cell& cell = complex_.cells()[c];
+  std::vector<Half_edge> border;
+  complex_.border(cell, border);
+  const Border_crossings met = border_crossings(complex_, border);
+
+  std::vector<int> partner(met.crossings.size(), -1);
+  // A vertex whose branches are certain, or hopeless, takes all; another one what is left when pairs are joined.
+  const bool all = cell.content == Content::unresolved || (cell.certain && cell.content != Content::lines);
+  if (!all)
+    join_pairs(met, partner);
+
+  Node node;
+  node.cell = c;
+  for (std::size_t i = 0; i < met.crossings.size(); ++i) {
+    const std::uint32_t crossing = id(met, i);
+    const std::uint8_t side = met.crossings[i].half_edge % 2;
+    if (partner[i] >= 0) {
+      crossings_[crossing].next[side] = {id(met, std::size_t(partner[i])), false};
+    } else {
+      crossings_[crossing].next[side] = {std::uint32_t(nodes_.size()), true};
+      node.crossings.push_back(crossing);
+      node.sides.push_back(side);
+    }
+  }
+  if (!node.crossings.empty()) {
+    node_of_cell_[c] = std::uint32_t(nodes_.size());
+    nodes_.push_back(std::move(node));
+  }
+}
+
+void Arrangement::pieces(std::uint32_t c, std::vector<Piece>& pieces) const {
+  using Kind = Piece::Corner::Kind;
+  pieces.clear();
+  std::vector<Half_edge> border;
+  complex_.border(complex_.cells()[c], border);
+
+  // The walk around the cell: points and crossings.
+  struct Item {
+    Piece::Corner corner;
+    std::uint32_t after = 0; // interval that follows a crossing
+  };
+  std::vector<Item> walk;
+  std::vector<std::size_t> met; // positions of the crossings in the walk
+  for (const Half_edge h : border) {
+    walk.push_back({{Kind::sample, complex_.source(h)}, 0});
+    const std::uint32_t e = h / 2, count = crossings_of(e);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::uint32_t ordinal = h % 2 == 0 ? k : count - 1 - k;
+      met.push_back(walk.size());
+      walk.push_back({{Kind::crossing, first_crossing_[e] + ordinal}, interval(e, h % 2 == 0 ? k + 1 : count - 1 - k)});
+    }
+  }
+  if (met.empty()) {
+    Piece whole;
+    for (const Item& item : walk)
+      whole.corners.push_back(item.corner);
+    whole.intervals.push_back(walk[0].corner.id);
+    pieces.push_back(std::move(whole));
+    return;
+  }
+
+  const auto side = [&](std::uint32_t crossing) {
+    return complex_.edges()[crossings_[crossing].edge].cell[0] == c ? 0U : 1U;
+  };
+  const std::size_t n = met.size();
+  std::vector<char> used(n, 0);
+  for (std::size_t start = 0; start < n; ++start) {
+    if (used[start])
+      continue;
+    Piece piece;
+    for (std::size_t i = start; !used[i];) {
+      used[i] = 1;
+      piece.intervals.push_back(walk[met[i]].after);
+      const std::size_t k = (i + 1) % n;
+      for (std::size_t at = met[i]; at != met[k]; at = (at + 1) % walk.size())
+        piece.corners.push_back(walk[at].corner);
+      piece.corners.push_back(walk[met[k]].corner);
+      // Turn left into the cell, along the segment that ends here.
+      const Segment_end next = crossings_[walk[met[k]].corner.id].next[side(walk[met[k]].corner.id)];
+      if (next.node) {
+        piece.corners.push_back({Kind::node, next.id});
+        // Back out along the branch before this one.
+        for (i = (k + n - 1) % n;; i = (i + n - 1) % n)
+          if (crossings_[walk[met[i]].corner.id].next[side(walk[met[i]].corner.id)].node)
+            break;
+      } else {
+        for (i = 0; walk[met[i]].corner.id != next.id;)
+          ++i;
+      }
+    }
+    pieces.push_back(std::move(piece));
+  }
+}
+
+const Point& Arrangement::position(const Piece::Corner& corner) const {
+  switch (corner.kind) {
+  case Piece::Corner::Kind::sample:
+    return complex_.samples()[corner.id].p;
+  case Piece::Corner::Kind::crossing:
+    return crossings_[corner.id].p;
+  default:
+    return complex_.samples()[complex_.cells()[nodes_[corner.id].cell].center].p;
+  }
+}
+
+const Vector& Arrangement::normal(const Piece::Corner& corner) const {
+  switch (corner.kind) {
+  case Piece::Corner::Kind::sample:
+    return complex_.samples()[corner.id].shape.n;
+  case Piece::Corner::Kind::crossing:
+    return crossings_[corner.id].n;
+  default:
+    return complex_.samples()[complex_.cells()[nodes_[corner.id].cell].center].shape.n;
+  }
+}
+
+} // namespace CGAL::Extremal_mesh_3

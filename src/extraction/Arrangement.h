@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The lines drawn across the refined cells: crossings of edges, segments between them, vertices in cells, and the regions that
+// they leave. Everything is found by ids, nothing by comparing coordinates.
+#ifndef EXTREMAL_MESH_3_SRC_EXTRACTION_ARRANGEMENT_H
+#define EXTREMAL_MESH_3_SRC_EXTRACTION_ARRANGEMENT_H
+
+#include "Refined_complex.h"
+#include "analyse_cell.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Extremal_mesh_3 {
+
+/// What a segment leads to.
+struct Segment_end {
+  std::uint32_t id = no_id; ///< of a crossing, or of a node if `node`
+  bool node = false;
+};
+
+/// A point in which a line crosses an undivided edge.
+struct Crossing {
+  std::uint32_t edge = no_id;
+  std::uint32_t ordinal = 0; ///< among the crossings of the edge, from a to b
+  int family = 1;
+  /// where the line goes from here, in the cells on the left of half-edges 2·edge and 2·edge + 1
+  std::array<Segment_end, 2> next;
+  Point p{};
+  Vector n{};
+  double k1 = 0, k2 = 0, derivative = 0; ///< derivative: ∇e_i·t_i
+};
+
+/// A vertex inside a cell with the crossings to which its branches lead, counter-clockwise.
+struct Node {
+  std::uint32_t cell = no_id;
+  std::vector<std::uint32_t> crossings;
+  std::vector<std::uint8_t> sides; ///< of each crossing: the side on which this node's cell is
+};
+
+/// A polygonal part of a cell within one region.
+struct Piece {
+  struct Corner {
+    enum class Kind : std::uint8_t { sample, crossing, node } kind;
+    std::uint32_t id;
+  };
+  std::vector<Corner> corners;           ///< counter-clockwise
+  std::vector<std::uint32_t> intervals;  ///< one per connected part of the cell's border in the piece
+};
+
+class Arrangement {
+public:
+  explicit Arrangement(Refined_complex& complex, const Extraction_options& options);
+
+  const Refined_complex& complex() const { return complex_; }
+  const std::vector<Crossing>& crossings() const { return crossings_; }
+  const std::vector<Node>& nodes() const { return nodes_; }
+
+  /// An edge with m crossings has m + 1 intervals. Those at its ends belong to the end points; intervals are numbered so that
+  /// interval i < samples().size() stands for the point i and the parts of edges next to it.
+  std::uint32_t interval(std::uint32_t edge, std::uint32_t ordinal) const;
+  std::uint32_t number_of_intervals() const { return number_of_intervals_; }
+  std::uint32_t crossings_of(std::uint32_t edge) const { return first_crossing_[edge + 1] - first_crossing_[edge]; }
+
+  /// the pieces into which the lines cut an undivided cell.
+  void pieces(std::uint32_t cell, std::vector<Piece>& pieces) const;
+  const Point& position(const Piece::Corner& corner) const;
+  const Vector& normal(const Piece::Corner& corner) const;
+
+private:
+  void number_crossings();
+  void place_crossings(const Extraction_options& options);
+  void place(Crossing& crossing, std::uint32_t count) const;
+  void draw(std::uint32_t cell);
+  std::uint32_t id(const Border_crossings& met, std::size_t i) const;
+
+  Refined_complex& complex_;
+  std::vector<std::uint32_t> first_crossing_, first_interval_;
+  std::uint32_t number_of_intervals_ = 0;
+  std::vector<Crossing> crossings_;
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> node_of_cell_;
+};
+
+} // namespace CGAL::Extremal_mesh_3
+
+#endif // EXTREMAL_MESH_3_SRC_EXTRACTION_ARRANGEMENT_H

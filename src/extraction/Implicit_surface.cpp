@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Implicit_surface.h"
+
+#include "../differential/vector.h"
+
+#include <cmath>
+
+namespace CGAL::Extremal_mesh_3 {
+
+namespace {
+
+bool finite(const Local_shape& s) {
+  return std::isfinite(s.H) && std::isfinite(std::norm(s.Q)) && std::isfinite(std::norm(s.A1)) &&
+         std::isfinite(std::norm(s.A3));
+}
+
+} // namespace
+
+std::optional<Sample> Implicit_surface::sample(const Point& x, const Vector& direction, double reach) const {
+  // Newton along the line. When a step is so small that the next one would be rounding, all derivatives are taken there at once.
+  Derivatives d;
+  double s = 0;
+  bool close = false;
+  for (int i = 0; i < 25; ++i) {
+    const Point p = x + s * direction;
+    f_.derivatives(p, close ? 3 : 1, d);
+    const double step = -d.value / dot(d.gradient, direction);
+    if (!std::isfinite(step))
+      return std::nullopt;
+    if (close && std::abs(step) < 1e-12 * reach) {
+      const Local_shape shape = local_shape(d);
+      if (!finite(shape))
+        return std::nullopt;
+      return Sample(p + step * direction, shape, true);
+    }
+    s += step;
+    if (std::abs(s) > reach)
+      return std::nullopt;
+    close = std::abs(step) < 1e-5 * reach;
+  }
+  // Steps that stay above 1e-12 of the reach are rounding, if they are small: the surface is far from the origin.
+  if (close) {
+    const Local_shape shape = local_shape(d);
+    if (finite(shape))
+      return Sample(x + s * direction, shape, true);
+  }
+  return std::nullopt;
+}
+
+Sample Implicit_surface::sample_at(const Point& p) const {
+  Derivatives d;
+  f_.derivatives(p, 3, d);
+  return Sample(p, local_shape(d), true);
+}
+
+double Implicit_surface::extremality_derivative(const Sample& s, int family, double step) const {
+  Derivatives d;
+  if (f_.max_order() >= 4) {
+    f_.derivatives(s.p, 4, d);
+    return CGAL::Extremal_mesh_3::extremality_derivative(d, s.shape, family);
+  }
+  // Difference of e along t, the direction being carried along.
+  const Principal_quantities here = principal_quantities(s.shape);
+  const Vector t = family == 1 ? here.t1 : here.t2;
+  double e[2];
+  for (int side = 0; side < 2; ++side) {
+    const auto other = sample(s.p + (side == 0 ? -step : step) * t, s.shape.n, 10 * step);
+    if (!other)
+      return 0;
+    const Principal_quantities q = principal_quantities(other->shape);
+    const bool turned = dot(family == 1 ? q.t1 : q.t2, t) < 0;
+    e[side] = (turned ? -1 : 1) * (family == 1 ? q.e1 : q.e2);
+  }
+  return (e[1] - e[0]) / (2 * step);
+}
+
+} // namespace CGAL::Extremal_mesh_3

@@ -1,0 +1,238 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Rounds of two steps: edges are divided until P and Q turn little along each, then the cells that are not yet certain are divided.
+// A divided edge is one for both its cells, so neighbours never disagree, and no cell needs to know how far the next one
+// is divided. Within a step elements are independent; new ones are numbered in the order of their parents, so the result
+// does not depend on threads.
+#include "Refined_complex.h"
+
+#include "../cells/parallel.h"
+#include "../differential/vector.h"
+#include "analyse_cell.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace CGAL::Extremal_mesh_3 {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+/// An edge along which P or Q seems to turn further than this is divided: near π the direction of the turn would be a guess.
+constexpr double greatest_turn = 0.6 * pi;
+/// Normals must not turn further along an edge (cos 60°): parallel transport is by the shortest way.
+constexpr double least_normal_cosine = 0.5;
+/// Edges may be divided this many times more than cells.
+constexpr int extra_edge_levels = 6;
+
+/// the middle of an edge, moved a little where it would lie on a line or beside a zero: then its
+/// phase, and the turns along the edges to it, would be rounding.
+Sample middle_of(const Surface& surface, const Sample& a, const Sample& b) {
+  const Sample middle = sample_between(surface, a, b, 0.5);
+  return nudged(surface, middle, 0.5 * distance(a.p, b.p), std::max(std::abs(a.P), std::abs(b.P)),
+                std::max(std::abs(a.shape.Q), std::abs(b.shape.Q)));
+}
+
+} // namespace
+
+Refined_complex::Refined_complex(const Surface& surface, const Cell_complex& cells, std::vector<Sample> samples,
+                                 const Extraction_options& options)
+    : surface_(surface), options_(options), samples_(std::move(samples)), edges_(cells.edges.size()),
+      cells_(cells.number_of_cells()) {
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    edges_[e].a = cells.edges[e][0];
+    edges_[e].b = cells.edges[e][1];
+    for (std::size_t side = 0; side < 2; ++side)
+      if (cells.edge_cells[e][side] != Cell_complex::no_cell)
+        edges_[e].cell[side] = std::uint32_t(cells.edge_cells[e][side]);
+  }
+  for (std::size_t c = 0; c < cells_.size(); ++c)
+    cells_[c].sides.assign(cells.half_edges.begin() + std::ptrdiff_t(cells.cell_begin[c]),
+                           cells.half_edges.begin() + std::ptrdiff_t(cells.cell_begin[c + 1]));
+  report_.surface_points = cells.points.size();
+  report_.surface_cells = cells_.size();
+}
+
+void Refined_complex::append(Half_edge h, std::vector<Half_edge>& half_edges) const {
+  if (!edges_[h / 2].divided()) {
+    half_edges.push_back(h);
+    return;
+  }
+  append(half(h, 0), half_edges);
+  append(half(h, 1), half_edges);
+}
+
+Half_edge Refined_complex::half(Half_edge h, int which) const {
+  const std::uint32_t child = edges_[h / 2].child;
+  return h % 2 == 0 ? 2 * (child + std::uint32_t(which)) : 2 * (child + 1 - std::uint32_t(which)) + 1;
+}
+
+void Refined_complex::border(const Refined_cell& cell, std::vector<Half_edge>& half_edges) const {
+  half_edges.clear();
+  for (const Half_edge side : cell.sides)
+    append(side, half_edges);
+}
+
+void Refined_complex::own(Half_edge h, std::uint32_t cell) {
+  edges_[h / 2].cell[h % 2] = cell;
+  if (edges_[h / 2].divided()) {
+    own(half(h, 0), cell);
+    own(half(h, 1), cell);
+  }
+}
+
+void Refined_complex::measure(Refined_edge& edge) const {
+  const Sample &a = samples_[edge.a], &b = samples_[edge.b];
+  const Moved_fields moved = moved_to(a, b);
+  edge.turn_P = std::arg(b.P * std::conj(moved.P));
+  edge.turn_Q = std::arg(b.shape.Q * std::conj(moved.Q));
+  edge.winding = std::int32_t(std::lround((2 * edge.turn_P + edge.turn_Q - (b.phase - a.phase)) / (2 * pi)));
+  edge.wanted = should_divide(edge);
+}
+
+bool Refined_complex::should_divide(const Refined_edge& edge) const {
+  if (edge.level >= options_.max_level + extra_edge_levels)
+    return false;
+  const Sample &a = samples_[edge.a], &b = samples_[edge.b];
+  if (dot(a.shape.n, b.shape.n) < least_normal_cosine)
+    return true;
+  if (std::abs(edge.turn_P) > greatest_turn || std::abs(edge.turn_Q) > greatest_turn)
+    return true;
+  // At most one crossing an edge.
+  const int from = a.positive ? 0 : -1, to = (b.positive ? 0 : -1) + 2 * edge.winding;
+  return std::abs(to - from) > 1;
+}
+
+void Refined_complex::settle_edges(std::size_t first) {
+  Thread_pool pool(options_.threads);
+  std::vector<std::uint32_t> ids;
+  while (first < edges_.size()) {
+    pool.for_each(edges_.size() - first, 256, [&](std::size_t i) { measure(edges_[first + i]); });
+    ids.clear();
+    for (std::size_t e = first; e < edges_.size(); ++e)
+      if (edges_[e].wanted)
+        ids.push_back(std::uint32_t(e));
+    first = edges_.size();
+    divide_edges(ids);
+  }
+}
+
+void Refined_complex::divide_edges(const std::vector<std::uint32_t>& ids) {
+  Thread_pool pool(options_.threads);
+  const std::size_t first_sample = samples_.size(), first_edge = edges_.size();
+  samples_.resize(first_sample + ids.size());
+  edges_.resize(first_edge + 2 * ids.size());
+  pool.for_each(ids.size(), 32, [&](std::size_t i) {
+    Refined_edge& edge = edges_[ids[i]];
+    const std::uint32_t middle = std::uint32_t(first_sample + i);
+    samples_[middle] = middle_of(surface_, samples_[edge.a], samples_[edge.b]);
+    edge.child = std::uint32_t(first_edge + 2 * i);
+    for (std::uint32_t c = 0; c < 2; ++c) {
+      Refined_edge& child = edges_[edge.child + c];
+      child.a = c == 0 ? edge.a : middle;
+      child.b = c == 0 ? middle : edge.b;
+      child.cell = edge.cell;
+      child.level = std::uint8_t(edge.level + 1);
+    }
+  });
+  for (const std::uint32_t e : ids)
+    for (const std::uint32_t cell : edges_[e].cell)
+      if (cell != no_id)
+        touched_.push_back(cell);
+}
+
+void Refined_complex::divide_cells(const std::vector<std::uint32_t>& ids) {
+  // Every side gets a middle …
+  std::vector<std::uint32_t> sides;
+  for (const std::uint32_t c : ids)
+    for (const Half_edge h : cells_[c].sides)
+      if (!edges_[h / 2].divided())
+        sides.push_back(h / 2);
+  std::sort(sides.begin(), sides.end());
+  sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+  const std::size_t first_edge = edges_.size();
+  divide_edges(sides);
+
+  // … and is joined from there with the middle of the cell, which leaves a quadrilateral around each corner.
+  for (const std::uint32_t c : ids) {
+    const std::vector<Half_edge> around = cells_[c].sides;
+    const std::uint32_t center = cells_[c].center, n = std::uint32_t(around.size());
+    const std::uint32_t first_spoke = std::uint32_t(edges_.size()), first_child = std::uint32_t(cells_.size());
+    cells_[c].divided = true;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      Refined_edge spoke; // from the middle of side i to the centre
+      spoke.a = target(half(around[i], 0));
+      spoke.b = center;
+      spoke.level = std::uint8_t(cells_[c].level + 1);
+      spoke.cell = {first_child + i, first_child + (i + 1) % n};
+      edges_.push_back(spoke);
+    }
+    for (std::uint32_t i = 0; i < n; ++i) {
+      // Around the corner at which side i begins.
+      const std::uint32_t before = (i + n - 1) % n;
+      Refined_cell child;
+      child.sides = {half(around[before], 1), half(around[i], 0), 2 * (first_spoke + i), 2 * (first_spoke + before) + 1};
+      child.level = std::uint8_t(cells_[c].level + 1);
+      own(child.sides[0], first_child + i);
+      own(child.sides[1], first_child + i);
+      cells_.push_back(std::move(child));
+      touched_.push_back(first_child + i);
+    }
+  }
+  settle_edges(first_edge);
+}
+
+void Refined_complex::refine() {
+  Thread_pool pool(options_.threads);
+  settle_edges(0);
+  touched_.resize(cells_.size());
+  for (std::size_t c = 0; c < cells_.size(); ++c)
+    touched_[c] = std::uint32_t(c);
+
+  std::vector<std::uint32_t> active, divide;
+  std::vector<Cell_analysis> found;
+  while (!touched_.empty()) {
+    std::sort(touched_.begin(), touched_.end());
+    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+    active.clear();
+    std::copy_if(touched_.begin(), touched_.end(), std::back_inserter(active),
+                 [&](std::uint32_t c) { return !cells_[c].divided; });
+    touched_.clear();
+
+    found.assign(active.size(), {});
+    pool.for_each(active.size(), 32, [&](std::size_t i) {
+      const Refined_cell& cell = cells_[active[i]];
+      found[i] = analyse_cell(*this, cell, cell.level < options_.max_level);
+    });
+    divide.clear();
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      Refined_cell& cell = cells_[active[i]];
+      cell.content = found[i].content;
+      cell.certain = found[i].certain;
+      cell.winding_P = std::int8_t(std::clamp(found[i].winding_P, -100, 100));
+      cell.winding_Q = std::int8_t(std::clamp(found[i].winding_Q, -100, 100));
+      if (found[i].sample) {
+        cell.center = std::uint32_t(samples_.size());
+        samples_.push_back(*found[i].sample);
+      }
+      if (cell.content == Content::undecided)
+        divide.push_back(active[i]);
+    }
+    if (options_.progress && !options_.progress(1 - double(divide.size()) / double(cells_.size())))
+      throw Cancelled();
+    report_.rounds += !divide.empty();
+    divide_cells(divide);
+  }
+  for (const Refined_cell& cell : cells_)
+    if (!cell.divided) {
+      ++report_.refined_cells;
+      ++(cell.certain ? report_.accepted_cells : report_.uncertain_cells);
+    }
+  for (const Sample& s : samples_)
+    report_.interpolated_points += !s.exact;
+}
+
+} // namespace CGAL::Extremal_mesh_3

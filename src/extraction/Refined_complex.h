@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The cells of a surface, divided until the course of the extremal lines in each is certain.
+#ifndef EXTREMAL_MESH_3_SRC_EXTRACTION_REFINED_COMPLEX_H
+#define EXTREMAL_MESH_3_SRC_EXTRACTION_REFINED_COMPLEX_H
+
+#include "Sample.h"
+
+#include <CGAL/Extremal_mesh_3/Cell_complex.h>
+#include <CGAL/Extremal_mesh_3/extract_extremal_mesh.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Extremal_mesh_3 {
+
+constexpr std::uint32_t no_id = 0xffffffffU;
+
+/// An edge. Once divided it has two children, `child` from a to the middle and `child + 1` from the middle to b.
+struct Refined_edge {
+  std::uint32_t a = 0, b = 0;
+  std::uint32_t child = no_id;
+  std::array<std::uint32_t, 2> cell{no_id, no_id}; ///< the leaf cells left of a→b and of b→a
+  std::uint8_t level = 0;
+  bool wanted = false; ///< is to be divided
+  std::int32_t winding = 0; ///< Φ turns by phase(b) − phase(a) + 2π·winding from a to b
+  double turn_P = 0, turn_Q = 0; ///< the angles by which P and Q turn from a to b, after parallel transport
+
+  bool divided() const { return child != no_id; }
+};
+
+/// What lies in a cell.
+enum class Content : std::uint8_t {
+  undecided,
+  lines,          ///< pieces of lines, or nothing
+  extremal_point, ///< one, its four branches reach the border
+  umbilic,        ///< one, with the branches it must have
+  unresolved      ///< a vertex that stays complicated, with everything that crosses the border
+};
+
+/// A cell. Its sides are half-edges of edges that may be divided further. A divided cell has one child per side.
+struct Refined_cell {
+  std::vector<Half_edge> sides;
+  std::uint32_t center = no_id; ///< sample at the middle, or at the vertex that the cell holds
+  std::uint8_t level = 0;
+  bool divided = false;
+  bool certain = true; ///< accepted by the tests, not for want of further levels
+  Content content = Content::undecided;
+  std::int8_t winding_P = 0, winding_Q = 0;
+};
+
+class Refined_complex {
+public:
+  /// \throws Extraction_error if derivatives are not finite at a point of `cells`
+  Refined_complex(const Surface& surface, const Cell_complex& cells, std::vector<Sample> samples,
+                  const Extraction_options& options);
+
+  /// divides edges and cells until all are decided.
+  void refine();
+
+  const Surface& surface() const { return surface_; }
+  const std::vector<Sample>& samples() const { return samples_; }
+  const std::vector<Refined_edge>& edges() const { return edges_; }
+  const std::vector<Refined_cell>& cells() const { return cells_; }
+  Extraction_report& report() { return report_; }
+
+  /// the undivided half-edges along the border of a cell, counter-clockwise.
+  void border(const Refined_cell& cell, std::vector<Half_edge>& half_edges) const;
+  std::uint32_t source(Half_edge h) const { return h % 2 == 0 ? edges_[h / 2].a : edges_[h / 2].b; }
+  std::uint32_t target(Half_edge h) const { return source(h ^ 1U); }
+  /// the cell on the left of an undivided half-edge, or `no_id`.
+  std::uint32_t cell_of(Half_edge h) const { return edges_[h / 2].cell[h % 2]; }
+
+private:
+  void measure(Refined_edge& edge) const;
+  bool should_divide(const Refined_edge& edge) const;
+  void settle_edges(std::size_t first);
+  void divide_edges(const std::vector<std::uint32_t>& ids);
+  void divide_cells(const std::vector<std::uint32_t>& ids);
+  void own(Half_edge h, std::uint32_t cell);
+  void append(Half_edge h, std::vector<Half_edge>& half_edges) const;
+  Half_edge half(Half_edge h, int which) const;
+
+  const Surface& surface_;
+  Extraction_options options_;
+  std::vector<Sample> samples_;
+  std::vector<Refined_edge> edges_;
+  std::vector<Refined_cell> cells_;
+  std::vector<std::uint32_t> touched_; ///< cells to be looked at again, as edges around them were divided
+  Extraction_report report_;
+};
+
+} // namespace CGAL::Extremal_mesh_3
+
+#endif // EXTREMAL_MESH_3_SRC_EXTRACTION_REFINED_COMPLEX_H

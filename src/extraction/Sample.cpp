@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Sample.h"
+
+#include "../differential/vector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace CGAL::Extremal_mesh_3 {
+
+namespace {
+
+/// A new sample must face roughly as those around it do: a surface point whose normal has turned by more than this lies on
+/// another sheet (cos 66°).
+constexpr double least_cosine = 0.4;
+
+std::optional<Sample> accepted(const Surface& surface, const Point& x, const Vector& direction, double reach) {
+  auto s = surface.sample(x, direction, reach);
+  if (s && dot(s->shape.n, direction) < least_cosine)
+    return std::nullopt;
+  return s;
+}
+
+} // namespace
+
+Sample::Sample(const Point& point, const Local_shape& local_shape, bool is_exact)
+    : p(point), shape(local_shape), P(local_shape.P()), exact(is_exact) {
+  const Complex phi = local_shape.Phi();
+  positive = !(phi.imag() < 0);
+  phase = std::arg(phi);
+  if (positive && (phase < 0 || phase >= std::numbers::pi)) // Im Φ = 0, Re Φ < 0
+    phase = std::nextafter(std::numbers::pi, 0.0);
+}
+
+Complex frame_turn(const Sample& a, const Sample& b) {
+  const Vector u = transport(a.shape.n, b.shape.n, a.shape.u);
+  const Complex z(dot(u, b.shape.u), dot(u, b.shape.v()));
+  return z / std::abs(z);
+}
+
+Moved_fields moved_to(const Sample& a, const Sample& b) {
+  const Complex z = frame_turn(a, b);
+  return {a.P * std::conj(z), a.shape.Q * z * z};
+}
+
+Sample interpolate(const std::vector<const Sample*>& samples, const std::vector<double>& weights) {
+  Sample mean;
+  Vector n{};
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    mean.p = mean.p + weights[i] * samples[i]->p;
+    n = n + weights[i] * samples[i]->shape.n;
+  }
+  const double length = norm(n);
+  mean.shape.n = length > 0 ? (1 / length) * n : samples.front()->shape.n;
+  mean.shape.u = any_orthogonal(mean.shape.n);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Local_shape& s = samples[i]->shape;
+    const Complex z = frame_turn(*samples[i], mean);
+    mean.shape.H += weights[i] * s.H;
+    mean.shape.Q += weights[i] * s.Q * z * z;
+    mean.shape.A1 += weights[i] * s.A1 * z;
+    mean.shape.A3 += weights[i] * s.A3 * z * z * z;
+  }
+  return Sample(mean.p, mean.shape, false);
+}
+
+Sample sample_between(const Surface& surface, const Sample& a, const Sample& b, double t) {
+  const Point x = (1 - t) * a.p + t * b.p;
+  const Vector n = (1 - t) * a.shape.n + t * b.shape.n;
+  const double length = norm(n);
+  if (length > 0.1)
+    if (const auto s = accepted(surface, x, (1 / length) * n, 0.5 * distance(a.p, b.p)))
+      return *s;
+  return interpolate({&a, &b}, {1 - t, t});
+}
+
+Sample sample_amid(const Surface& surface, const std::vector<const Sample*>& corners) {
+  const double w = 1 / double(corners.size());
+  Point x{};
+  Vector n{};
+  for (const Sample* s : corners) {
+    x = x + w * s->p;
+    n = n + w * s->shape.n;
+  }
+  double radius = 0;
+  for (const Sample* s : corners)
+    radius = std::max(radius, distance(s->p, x));
+  const double length = norm(n);
+  if (length > 0.1)
+    if (const auto s = accepted(surface, x, (1 / length) * n, radius))
+      return *s;
+  return interpolate(corners, std::vector<double>(corners.size(), w));
+}
+
+} // namespace CGAL::Extremal_mesh_3

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The surface as extraction sees it: samples, and where more of them come from.
+#ifndef EXTREMAL_MESH_3_SRC_EXTRACTION_SAMPLE_H
+#define EXTREMAL_MESH_3_SRC_EXTRACTION_SAMPLE_H
+
+#include <CGAL/Extremal_mesh_3/Differential_quantities.h>
+
+#include <complex>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Extremal_mesh_3 {
+
+using Complex = std::complex<double>;
+
+/// A point of the surface with what decides the extremal mesh there.
+struct Sample {
+  Point p{};
+  Local_shape shape;
+  Complex P;
+  double phase = 0;     ///< arg Φ in [0, π) where E_g ≥ 0, else in [−π, 0); lines lie where it is a multiple of π
+  bool positive = true; ///< E_g ≥ 0; sign(0) is +
+  bool exact = true;    ///< on the surface itself, not interpolated between samples
+
+  Sample() = default;
+  Sample(const Point& point, const Local_shape& local_shape, bool is_exact);
+};
+
+/// A surface that can be asked for samples anywhere.
+class Surface {
+public:
+  virtual ~Surface() = default;
+  /// the sample at the point of the line x + s·direction, |s| ≤ reach, where it meets the surface; nothing if none is found.
+  virtual std::optional<Sample> sample(const Point& x, const Vector& direction, double reach) const = 0;
+  /// ∇e_i·t_i, for the family i.
+  /// \param step  a length that is small here, for surfaces that must take differences
+  virtual double extremality_derivative(const Sample& s, int family, double step) const = 0;
+
+protected:
+  Surface() = default;
+  Surface(const Surface&) = default;
+  Surface& operator=(const Surface&) = default;
+};
+
+/// e^{iα}, α being the angle from b's basis to a's after parallel transport from a to b along the shortest way between
+/// their normals. A quantity of spin s at a has the components X e^{isα} in b's basis (P: −1, Q: 2, A1: 1, A3: 3).
+Complex frame_turn(const Sample& a, const Sample& b);
+
+/// P and Q of a in the basis of b.
+struct Moved_fields {
+  Complex P, Q;
+};
+Moved_fields moved_to(const Sample& a, const Sample& b);
+
+/// the weighted mean of samples: L and C are interpolated in a common frame.
+Sample interpolate(const std::vector<const Sample*>& samples, const std::vector<double>& weights);
+
+/// the point of the surface above the chord from a to b at parameter t; interpolated where the surface cannot be reached. Exchanging the ends and
+/// taking 1 − t gives the same point, to the last bit for t = ½.
+Sample sample_between(const Surface& surface, const Sample& a, const Sample& b, double t);
+
+/// the same above the centroid of several samples.
+Sample sample_amid(const Surface& surface, const std::vector<const Sample*>& corners);
+
+} // namespace CGAL::Extremal_mesh_3
+
+#endif // EXTREMAL_MESH_3_SRC_EXTRACTION_SAMPLE_H

@@ -1,0 +1,268 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// P vanishes at extremal points and umbilics, Q at umbilics. A cell is accepted when, of both, it is known how often they vanish
+// inside: a field whose values keep to one side of 0 by more than the error of its linear model has no zero; one whose linear
+// model is one-to-one by more than its error has at most one zero, and the winding around the border says whether it has.
+#include "analyse_cell.h"
+
+#include "../differential/vector.h"
+#include "linear_fit.h"
+#include "locate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace CGAL::Extremal_mesh_3 {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+/// A field is taken for one-to-one if its error is below this part of (least stretch × radius): for a quadratic deviation that keeps
+/// the Jacobian from vanishing in the cell.
+constexpr double one_to_one = 0.3;
+/// Values must keep from 0 by so many times the error.
+constexpr double clearance = 2.0;
+/// The rise of the phase over a cell must exceed its error by this factor for the lines to run straight through.
+constexpr double straightness = 3.0;
+/// Cells narrower than this get additional samples around their middle.
+constexpr double least_aspect = 0.3;
+
+/// the signed area on the unit sphere of the polygon of normals along the border.
+double spherical_area(const Refined_complex& complex, const std::vector<Half_edge>& border) {
+  const auto& samples = complex.samples();
+  const Vector& a = samples[complex.source(border[0])].shape.n;
+  double area = 0;
+  for (std::size_t i = 1; i + 1 < border.size(); ++i) {
+    const Vector &b = samples[complex.source(border[i])].shape.n, &c = samples[complex.source(border[i + 1])].shape.n;
+    area += 2 * std::atan2(dot(a, cross(b, c)), 1 + dot(a, b) + dot(b, c) + dot(c, a));
+  }
+  return area;
+}
+
+/// What is known of a field in a cell.
+struct Field_state {
+  bool nonzero = false; ///< nowhere 0
+  bool simple = false;  ///< at most one zero, which is simple
+};
+
+Field_state examine(const Planar_points& points, const std::vector<Complex>& values) {
+  const Linear_fit<Complex> fit(points, values);
+  Complex direction = 0;
+  for (const Complex& v : values)
+    direction += v / std::abs(v);
+  direction /= std::abs(direction);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Complex& v : values)
+    nearest = std::min(nearest, (v * std::conj(direction)).real());
+  return {nearest > clearance * fit.residual, fit.residual < one_to_one * least_stretch(fit) * points.radius};
+}
+
+/// The cell in the tangent plane of its middle.
+struct Flat_cell {
+  Planar_points points; ///< border, then the middle, then what else was sampled
+  std::vector<Complex> P, Q;
+  std::size_t border = 0;
+  bool flat = true; ///< all normals are near to the middle's
+
+  void add(const Sample& middle, const Sample& s) {
+    const Vector d = s.p - middle.p;
+    points.add({dot(d, middle.shape.u), dot(d, middle.shape.v())});
+    flat = flat && dot(s.shape.n, middle.shape.n) > 0.5;
+    const Moved_fields f = moved_to(s, middle);
+    P.push_back(f.P);
+    Q.push_back(f.Q);
+  }
+};
+
+Flat_cell flatten(const Refined_complex& complex, const std::vector<Half_edge>& border, const Sample& middle) {
+  Flat_cell flat;
+  for (const Half_edge h : border)
+    flat.add(middle, complex.samples()[complex.source(h)]);
+  flat.border = border.size();
+  flat.add(middle, middle);
+  if (flat.points.aspect() < least_aspect) {
+    const double r = 0.5 * flat.points.radius;
+    for (const Vector& d : {r * middle.shape.u, r * middle.shape.v(), -r * middle.shape.u, -r * middle.shape.v()})
+      if (const auto s = complex.surface().sample(middle.p + d, middle.shape.n, r))
+        flat.add(middle, *s);
+  }
+  return flat;
+}
+
+/// tells whether the lines through a cell without zeros of P and Q run in one way only.
+bool lines_are_certain(const Refined_complex& complex, const std::vector<Half_edge>& border, const Flat_cell& flat,
+                       const Border_crossings& met) {
+  // The phase, lifted to a real function: along the border by the edges' turns, at the middle and the other inner samples
+  // by the least turn from each sample of the border. All must agree.
+  std::vector<double> phase(flat.points.z.size());
+  phase[0] = complex.samples()[complex.source(border[0])].phase;
+  for (std::size_t i = 1; i < border.size(); ++i) {
+    const Refined_edge& e = complex.edges()[border[i - 1] / 2];
+    const double turn = 2 * e.turn_P + e.turn_Q;
+    phase[i] = phase[i - 1] + (border[i - 1] % 2 == 0 ? turn : -turn);
+  }
+  for (std::size_t j = flat.border; j < phase.size(); ++j)
+    for (std::size_t i = 0; i < flat.border; ++i) {
+      const double lifted =
+          phase[i] + 2 * std::arg(flat.P[j] * std::conj(flat.P[i])) + std::arg(flat.Q[j] * std::conj(flat.Q[i]));
+      if (i == 0)
+        phase[j] = lifted;
+      else if (std::abs(lifted - phase[j]) > 1)
+        return false;
+    }
+  const Linear_fit<double> fit(flat.points, phase);
+  if (std::hypot(fit.x, fit.y) * flat.points.radius > straightness * fit.residual) {
+    std::vector<std::int32_t> levels; // monotone: each line passes once
+    for (const Border_crossing& c : met.crossings)
+      levels.push_back(c.level);
+    std::sort(levels.begin(), levels.end());
+    for (std::size_t i = 0; i + 2 < levels.size(); ++i)
+      if (levels[i] == levels[i + 2])
+        return false;
+    return true;
+  }
+  if (!met.crossings.empty())
+    return false;
+  double gap = pi;
+  for (const double p : phase)
+    gap = std::min(gap, std::abs(p - pi * std::round(p / pi)));
+  return gap > clearance * fit.residual;
+}
+
+/// tells, without a look inside, that nothing happens in a cell: the fields hardly turn around it and Φ keeps far from the real axis.
+bool plainly_empty(const Refined_complex& complex, const std::vector<Half_edge>& border, const Border_crossings& met) {
+  if (!met.crossings.empty())
+    return false;
+  double turn = 0, gap = pi;
+  for (const Half_edge h : border) {
+    const Refined_edge& e = complex.edges()[h / 2];
+    turn += 2 * std::abs(e.turn_P) + std::abs(e.turn_Q);
+    const double p = complex.samples()[complex.source(h)].phase;
+    gap = std::min(gap, std::abs(p - pi * std::round(p / pi)));
+  }
+  return turn < 1.5 && gap > 0.3;
+}
+
+bool families_alternate(const std::vector<Border_crossing>& c) {
+  for (std::size_t i = 0; i < c.size(); ++i)
+    if (c[i].family() == c[(i + 1) % c.size()].family())
+      return false;
+  return true;
+}
+
+} // namespace
+
+Border_crossings border_crossings(const Refined_complex& complex, const std::vector<Half_edge>& border) {
+  Border_crossings met;
+  // The half-turn [π·m, π·(m + 1)) in which the lifted phase lies.
+  std::int32_t m = complex.samples()[complex.source(border[0])].positive ? 0 : -1;
+  const std::int32_t start = m;
+  for (const Half_edge h : border) {
+    const Refined_edge& e = complex.edges()[h / 2];
+    const std::int32_t winding = h % 2 == 0 ? e.winding : -e.winding;
+    const std::int32_t step = (complex.samples()[complex.target(h)].positive ? 0 : -1) -
+                              (complex.samples()[complex.source(h)].positive ? 0 : -1) + 2 * winding;
+    for (std::int32_t i = 0; i < step; ++i)
+      met.crossings.push_back({h, ++m, true});
+    for (std::int32_t i = 0; i > step; --i)
+      met.crossings.push_back({h, m--, false});
+  }
+  met.winding_phi = (m - start) / 2;
+  return met;
+}
+
+Sample nudged(const Surface& surface, const Sample& s, double size, double P_around, double Q_around) {
+  constexpr double on_line = 1e-4, small = 0.03, part = 0.14, golden_angle = 2.399963229728653;
+  const auto badness = [&](const Sample& x) {
+    const double off_line = std::abs(std::sin(x.phase)) / on_line;
+    return std::min({off_line, std::abs(x.P) / (small * P_around), std::abs(x.shape.Q) / (small * Q_around)});
+  };
+  double best = badness(s);
+  if (!(best < 1) || !s.exact)
+    return s;
+  Sample chosen = s;
+  for (int i = 0; i < 5 && best < 1; ++i) {
+    const double angle = golden_angle * (i + 1);
+    const Vector d = std::cos(angle) * s.shape.u + std::sin(angle) * s.shape.v();
+    const auto other = surface.sample(s.p + part * size * d, s.shape.n, size);
+    if (other && badness(*other) > best) {
+      best = badness(*other);
+      chosen = *other;
+    }
+  }
+  return chosen;
+}
+
+Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& cell, bool may_divide) {
+  std::vector<Half_edge> border;
+  complex.border(cell, border);
+  const Border_crossings met = border_crossings(complex, border);
+
+  Cell_analysis result;
+  double turn_Q = 0;
+  for (const Half_edge h : border)
+    turn_Q += h % 2 == 0 ? complex.edges()[h / 2].turn_Q : -complex.edges()[h / 2].turn_Q;
+  result.winding_Q = int(std::lround((turn_Q + 2 * spherical_area(complex, border)) / (2 * pi)));
+  result.winding_P = (met.winding_phi - result.winding_Q) / 2;
+  const int wP = result.winding_P, wQ = result.winding_Q;
+
+  if (wP == 0 && wQ == 0 && plainly_empty(complex, border, met)) {
+    result.content = Content::lines;
+    return result;
+  }
+
+  std::vector<const Sample*> corners;
+  for (const Half_edge h : cell.sides)
+    corners.push_back(&complex.samples()[complex.source(h)]);
+  Sample middle = sample_amid(complex.surface(), corners);
+  const Flat_cell flat = flatten(complex, border, middle);
+  const Field_state P = examine(flat.points, flat.P), Q = examine(flat.points, flat.Q);
+  const double size = flat.points.radius;
+  const bool known = flat.flat && (P.nonzero || P.simple) && (Q.nonzero || Q.simple);
+  const auto accept = [&](Content content, const Sample& where) {
+    result.content = content;
+    result.sample = where;
+    return result;
+  };
+
+  if (known && wP == 0 && wQ == 0 && lines_are_certain(complex, border, flat, met)) {
+    result.content = Content::lines;
+    return result;
+  }
+  if (known && std::abs(wP) == 1 && wQ == 0 && P.simple && Q.nonzero && met.crossings.size() == 4 &&
+      families_alternate(met.crossings))
+    if (const auto at = locate_zero(complex.surface(), Field::P, middle, size, 2 * size))
+      return accept(Content::extremal_point, *at);
+  if (known && std::abs(wP) == 1 && std::abs(wQ) == 1 && P.simple && Q.simple)
+    if (const auto at = locate_zero(complex.surface(), Field::Q, middle, size, 2 * size)) {
+      const Umbilic_class c = classify_umbilic(at->shape.A1, at->shape.A3);
+      if (2 * c.index == wQ && c.field_index == -wP && met.crossings.size() == std::size_t(2 * c.ridges))
+        return accept(Content::umbilic, *at);
+    }
+
+  if (may_divide) {
+    double P_around = 0, Q_around = 0;
+    for (std::size_t i = 0; i < flat.border; ++i) {
+      P_around = std::max(P_around, std::abs(flat.P[i]));
+      Q_around = std::max(Q_around, std::abs(flat.Q[i]));
+    }
+    result.sample = nudged(complex.surface(), middle, size, P_around, Q_around);
+    return result;
+  }
+
+  // The finest level: the simplest content with these windings. Crossings beyond what it needs are joined in pairs.
+  result.certain = false;
+  if (wP == 0 && wQ == 0) {
+    result.content = Content::lines;
+    return result;
+  }
+  if (std::abs(wP) == 1 && wQ == 0)
+    return accept(Content::extremal_point, locate_zero(complex.surface(), Field::P, middle, size, 2 * size).value_or(middle));
+  if (std::abs(wP) == 1 && std::abs(wQ) == 1)
+    return accept(Content::umbilic, locate_zero(complex.surface(), Field::Q, middle, size, 2 * size).value_or(middle));
+  return accept(Content::unresolved, middle);
+}
+
+} // namespace CGAL::Extremal_mesh_3

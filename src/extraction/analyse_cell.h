@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef EXTREMAL_MESH_3_SRC_EXTRACTION_ANALYSE_CELL_H
+#define EXTREMAL_MESH_3_SRC_EXTRACTION_ANALYSE_CELL_H
+
+#include "Refined_complex.h"
+
+#include <optional>
+
+namespace CGAL::Extremal_mesh_3 {
+
+/// Where the border of a cell meets a line.
+struct Border_crossing {
+  Half_edge half_edge;
+  std::int32_t level; ///< the lifted phase is π·level there; odd: e1 = 0, even: e2 = 0
+  bool rising;        ///< the phase rises, walking counter-clockwise
+  int family() const { return level % 2 != 0 ? 1 : 2; }
+};
+
+/// the crossings of the lines with the border of a cell, counter-clockwise, and how far Φ winds around it.
+struct Border_crossings {
+  std::vector<Border_crossing> crossings;
+  int winding_phi = 0;
+};
+Border_crossings border_crossings(const Refined_complex& complex, const std::vector<Half_edge>& border);
+
+/// What was found out about a cell.
+struct Cell_analysis {
+  Content content = Content::undecided;
+  bool certain = true;
+  int winding_P = 0, winding_Q = 0; ///< of P and Q around the border: a multiple of a full turn
+  std::optional<Sample> sample;     ///< the vertex in the cell, or its middle
+};
+
+/// decides what a cell holds: windings of P and Q around its border count their zeros inside, and a linear model of each, with its error
+/// measured at the samples, tells whether there can be more than the windings say.
+/// \param may_divide  give up with `Content::undecided` when in doubt; otherwise the simplest content that the border allows is taken
+Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& cell, bool may_divide);
+
+/// the sample, or one moved within the surface by a small part of `size` if it lies on a line, or so near to a
+/// zero of P or Q that |P| or |Q| is small against the values around.
+Sample nudged(const Surface& surface, const Sample& s, double size, double P_around, double Q_around);
+
+} // namespace CGAL::Extremal_mesh_3
+
+#endif // EXTREMAL_MESH_3_SRC_EXTRACTION_ANALYSE_CELL_H

@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Extremal_mesh_3/extract_extremal_mesh.h>
+
+#include "../cells/parallel.h"
+#include "../differential/vector.h"
+#include "Arrangement.h"
+#include "Implicit_surface.h"
+#include "Line_tracer.h"
+#include "Refined_complex.h"
+#include "Regions.h"
+#include "analyse_cell.h"
+#include "degeneracy.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace CGAL::Extremal_mesh_3 {
+
+namespace {
+
+/// the samples at the corners of the cells, moved a little off lines and zeros.
+std::vector<Sample> sample_corners(const Implicit_surface& surface, const Cell_complex& cells, Thread_pool& pool) {
+  const std::size_t n = cells.points.size();
+  std::vector<Sample> samples(n);
+  pool.for_each(n, 64, [&](std::size_t i) { samples[i] = surface.sample_at(cells.points[i]); });
+  for (std::size_t i = 0; i < n; ++i)
+    if (!std::isfinite(samples[i].phase))
+      throw Extraction_error(fmt::format("the derivatives are not finite, or the gradient is 0, at ({}, {}, {})",
+                                         samples[i].p[0], samples[i].p[1], samples[i].p[2]));
+
+  struct Around {
+    double shortest = std::numeric_limits<double>::infinity(), P = 0, Q = 0;
+  };
+  std::vector<Around> around(n);
+  for (const auto& [a, b] : cells.edges) {
+    const double length = distance(samples[a].p, samples[b].p);
+    for (const auto& [i, j] : {std::pair{a, b}, std::pair{b, a}}) {
+      around[i].shortest = std::min(around[i].shortest, length);
+      around[i].P = std::max(around[i].P, std::abs(samples[j].P));
+      around[i].Q = std::max(around[i].Q, std::abs(samples[j].shape.Q));
+    }
+  }
+  pool.for_each(n, 64, [&](std::size_t i) {
+    samples[i] = nudged(surface, samples[i], 0.5 * around[i].shortest, around[i].P, around[i].Q);
+  });
+  return samples;
+}
+
+std::size_t count_components(const Cell_complex& cells) {
+  std::vector<std::uint32_t> parent(cells.points.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto find = [&](std::uint32_t i) {
+    while (parent[i] != i)
+      i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  std::size_t components = parent.size();
+  for (const auto& [a, b] : cells.edges) {
+    const std::uint32_t i = find(a), j = find(b);
+    components -= i != j;
+    parent[i] = j;
+  }
+  return components;
+}
+
+} // namespace
+
+Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells, const Extraction_options& options) {
+  if (options.max_level < 0 || options.max_level > 40)
+    throw std::invalid_argument(fmt::format("max_level is {}, not in 0 … 40", options.max_level));
+  if (cells.number_of_cells() == 0)
+    throw Extraction_error("the surface has no cells");
+  Thread_pool pool(options.threads);
+  const Implicit_surface surface(f);
+  std::vector<Sample> samples = sample_corners(surface, cells, pool);
+  const Degeneracy degeneracy = find_degeneracy(surface, cells, samples, pool);
+  if (degeneracy.area > 0.5 * degeneracy.total_area)
+    throw Degenerate_surface_error(
+        fmt::format("E_g is 0 over {:.0f} % of the surface ({}), so its extremal mesh is not defined",
+                    100 * degeneracy.area / degeneracy.total_area, degeneracy.name));
+
+  Refined_complex complex(surface, cells, std::move(samples), options);
+  complex.refine();
+  const Arrangement arrangement(complex, options);
+  Extraction result;
+  Regions regions(arrangement, options.patches ? &result.patches : nullptr);
+  Line_tracer lines(arrangement, regions);
+
+  Surface_info info;
+  info.euler_characteristic = cells.euler_characteristic();
+  info.closed = std::none_of(cells.edge_cells.begin(), cells.edge_cells.end(),
+                             [](const auto& c) { return c[0] < 0 || c[1] < 0; });
+  info.components = count_components(cells);
+  for (const Extremal_mesh_cell& cell : regions.cells())
+    info.area += cell.area;
+  info.degenerate_area = degeneracy.area;
+  result.report = complex.report();
+  result.report.degenerate_cells = degeneracy.cells;
+  result.mesh = Extremal_mesh(std::move(lines.vertices), std::move(lines.edges), std::move(regions.cells()), info);
+  return result;
+}
+
+Extraction extract_extremal_mesh(const Function_3& f, const Lattice& lattice, const Extraction_options& options) {
+  return extract_extremal_mesh(f, make_implicit_cells(f, lattice, options), options);
+}
+
+} // namespace CGAL::Extremal_mesh_3

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Extremal points and umbilics, found on the surface to near machine precision.
+#ifndef EXTREMAL_MESH_3_SRC_EXTRACTION_LOCATE_H
+#define EXTREMAL_MESH_3_SRC_EXTRACTION_LOCATE_H
+
+#include "Sample.h"
+
+namespace CGAL::Extremal_mesh_3 {
+
+/// Which field is to vanish: P at extremal points, Q at umbilics.
+enum class Field : std::uint8_t { P, Q };
+
+/// the zero of P or Q nearest to `start`, by Newton's method on the surface.
+/// \param size  the size of the cell it should lie in
+/// \param reach  how far from `start` it may lie
+std::optional<Sample> locate_zero(const Surface& surface, Field field, const Sample& start, double size, double reach);
+
+} // namespace CGAL::Extremal_mesh_3
+
+#endif // EXTREMAL_MESH_3_SRC_EXTRACTION_LOCATE_H
