@@ -12,8 +12,8 @@ namespace CGAL::Extremal_mesh_3 {
 
 namespace {
 
-/// the crossings that a cell without zeros would have joined in pairs: neighbours at the same level of the phase, once rising, once falling.
-/// \param partner  for each crossing its partner, or −1 if it is left over
+/// the crossings that a cell without zeros would have joined in pairs: neighbours at the same level of the phase, once
+/// rising, once falling. \param partner  for each crossing its partner, or −1 if it is left over
 void join_pairs(const Border_crossings& met, std::vector<int>& partner) {
   const int n = int(met.crossings.size());
   partner.assign(std::size_t(n), -1);
@@ -135,8 +135,7 @@ void Arrangement::place(Crossing& crossing, std::uint32_t count) const {
   crossing.n = s.shape.n;
   crossing.k1 = q.k1;
   crossing.k2 = q.k2;
-  crossing.derivative =
-      complex_.surface().extremality_derivative(s, crossing.family, 1e-3 * distance(a->p, b->p));
+  crossing.derivative = complex_.surface().extremality_derivative(s, crossing.family, 1e-3 * distance(a->p, b->p));
 }
 
 std::uint32_t Arrangement::id(const Border_crossings& met, std::size_t i) const {

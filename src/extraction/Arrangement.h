@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The lines drawn across the refined cells: crossings of edges, segments between them, vertices in cells, and the regions that
-// they leave. Everything is found by ids, nothing by comparing coordinates.
+// The lines drawn across the refined cells: crossings of edges, segments between them, vertices in cells, and the
+// regions that they leave. Everything is found by ids, nothing by comparing coordinates.
 #ifndef EXTREMAL_MESH_3_SRC_EXTRACTION_ARRANGEMENT_H
 #define EXTREMAL_MESH_3_SRC_EXTRACTION_ARRANGEMENT_H
 
@@ -45,8 +45,8 @@ struct Piece {
     enum class Kind : std::uint8_t { sample, crossing, node } kind;
     std::uint32_t id;
   };
-  std::vector<Corner> corners;           ///< counter-clockwise
-  std::vector<std::uint32_t> intervals;  ///< one per connected part of the cell's border in the piece
+  std::vector<Corner> corners;          ///< counter-clockwise
+  std::vector<std::uint32_t> intervals; ///< one per connected part of the cell's border in the piece
 };
 
 class Arrangement {
@@ -57,8 +57,8 @@ public:
   const std::vector<Crossing>& crossings() const { return crossings_; }
   const std::vector<Node>& nodes() const { return nodes_; }
 
-  /// An edge with m crossings has m + 1 intervals. Those at its ends belong to the end points; intervals are numbered so that
-  /// interval i < samples().size() stands for the point i and the parts of edges next to it.
+  /// An edge with m crossings has m + 1 intervals. Those at its ends belong to the end points; intervals are numbered
+  /// so that interval i < samples().size() stands for the point i and the parts of edges next to it.
   std::uint32_t interval(std::uint32_t edge, std::uint32_t ordinal) const;
   std::uint32_t number_of_intervals() const { return number_of_intervals_; }
   std::uint32_t crossings_of(std::uint32_t edge) const { return first_crossing_[edge + 1] - first_crossing_[edge]; }

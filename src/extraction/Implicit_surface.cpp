@@ -18,7 +18,8 @@ bool finite(const Local_shape& s) {
 } // namespace
 
 std::optional<Sample> Implicit_surface::sample(const Point& x, const Vector& direction, double reach) const {
-  // Newton along the line. When a step is so small that the next one would be rounding, all derivatives are taken there at once.
+  // Newton along the line. When a step is so small that the next one would be rounding, all derivatives are taken there
+  // at once.
   Derivatives d;
   double s = 0;
   bool close = false;

@@ -49,9 +49,7 @@ Extremal_mesh_vertex Line_tracer::vertex_of(const Node& node) const {
     v.ridges = int(node.crossings.size() / 2);
     const Umbilic_class c = classify_umbilic(s.shape.A1, s.shape.A3);
     // In a cell taken as it was at the finest level only the index is sure.
-    v.umbilic_type = cell.winding_Q < 0        ? Umbilic_type::star
-                     : c.index > 0             ? c.type
-                                               : Umbilic_type::lemon;
+    v.umbilic_type = cell.winding_Q < 0 ? Umbilic_type::star : c.index > 0 ? c.type : Umbilic_type::lemon;
     break;
   }
   default:
@@ -80,8 +78,8 @@ void Line_tracer::make_vertices() {
   }
 }
 
-/// goes on until the line ends: at a node (the step that leads into its cell is returned), at the border of the surface, or
-/// where it began.
+/// goes on until the line ends: at a node (the step that leads into its cell is returned), at the border of the
+/// surface, or where it began.
 Line_tracer::Step Line_tracer::follow(Step step, std::vector<std::uint32_t>& met) const {
   const auto& crossings = arrangement_.crossings();
   const auto& edges_of_cells = arrangement_.complex().edges();

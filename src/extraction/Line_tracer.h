@@ -10,7 +10,8 @@
 
 namespace CGAL::Extremal_mesh_3 {
 
-/// Stitches the segments of an arrangement into the vertices and edges of the extremal mesh, and walks around its cells.
+/// Stitches the segments of an arrangement into the vertices and edges of the extremal mesh, and walks around its
+/// cells.
 class Line_tracer {
 public:
   /// \param regions  gets the boundary walks of its cells

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rounds of two steps: edges are divided until P and Q turn little along each, then the cells that are not yet certain are divided.
-// A divided edge is one for both its cells, so neighbours never disagree, and no cell needs to know how far the next one
-// is divided. Within a step elements are independent; new ones are numbered in the order of their parents, so the result
-// does not depend on threads.
+// Rounds of two steps: edges are divided until P and Q turn little along each, then the cells that are not yet certain
+// are divided. A divided edge is one for both its cells, so neighbours never disagree, and no cell needs to know how
+// far the next one is divided. Within a step elements are independent; new ones are numbered in the order of their
+// parents, so the result does not depend on threads.
 #include "Refined_complex.h"
 
 #include "../cells/parallel.h"
@@ -21,7 +21,8 @@ namespace CGAL::Extremal_mesh_3 {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-/// An edge along which P or Q seems to turn further than this is divided: near π the direction of the turn would be a guess.
+/// An edge along which P or Q seems to turn further than this is divided: near π the direction of the turn would be a
+/// guess.
 constexpr double greatest_turn = 0.6 * pi;
 /// Normals must not turn further along an edge (cos 60°): parallel transport is by the shortest way.
 constexpr double least_normal_cosine = 0.5;
@@ -174,7 +175,8 @@ void Refined_complex::divide_cells(const std::vector<std::uint32_t>& ids) {
       // Around the corner at which side i begins.
       const std::uint32_t before = (i + n - 1) % n;
       Refined_cell child;
-      child.sides = {half(around[before], 1), half(around[i], 0), 2 * (first_spoke + i), 2 * (first_spoke + before) + 1};
+      child.sides = {half(around[before], 1), half(around[i], 0), 2 * (first_spoke + i),
+                     2 * (first_spoke + before) + 1};
       child.level = std::uint8_t(cells_[c].level + 1);
       own(child.sides[0], first_child + i);
       own(child.sides[1], first_child + i);

@@ -23,8 +23,8 @@ struct Refined_edge {
   std::uint32_t child = no_id;
   std::array<std::uint32_t, 2> cell{no_id, no_id}; ///< the leaf cells left of a→b and of b→a
   std::uint8_t level = 0;
-  bool wanted = false; ///< is to be divided
-  std::int32_t winding = 0; ///< Φ turns by phase(b) − phase(a) + 2π·winding from a to b
+  bool wanted = false;           ///< is to be divided
+  std::int32_t winding = 0;      ///< Φ turns by phase(b) − phase(a) + 2π·winding from a to b
   double turn_P = 0, turn_Q = 0; ///< the angles by which P and Q turn from a to b, after parallel transport
 
   bool divided() const { return child != no_id; }

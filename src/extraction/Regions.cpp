@@ -69,7 +69,8 @@ void Regions::unite_pieces() {
         sets.unite(piece.intervals[0], interval);
   }
 
-  // Regions are numbered in the order of their first interval; intervals of divided edges and samples that are no corners are in none.
+  // Regions are numbered in the order of their first interval; intervals of divided edges and samples that are no
+  // corners are in none.
   const auto mark = [&](std::uint32_t interval, bool positive) {
     const std::uint32_t set = sets.find(interval);
     if (region_[set] == no_id) {
@@ -85,6 +86,8 @@ void Regions::unite_pieces() {
       continue;
     const std::uint32_t m = arrangement_.crossings_of(e);
     bool positive = complex.samples()[edges[e].a].positive;
+    if (m == 0)
+      mark(edges[e].b, positive);
     for (std::uint32_t i = 0; i <= m; ++i, positive = !positive)
       mark(arrangement_.interval(e, i), positive);
   }
@@ -155,8 +158,9 @@ void Regions::add_patches(Cell_patches& patches) const {
     arrangement_.pieces(c, pieces);
     for (const Piece& piece : pieces) {
       for (const Piece::Corner& corner : piece.corners) {
-        const std::size_t key =
-            corner.id + (corner.kind == Kind::sample ? 0 : corner.kind == Kind::crossing ? samples : samples + crossings);
+        const std::size_t key = corner.id + (corner.kind == Kind::sample     ? 0
+                                             : corner.kind == Kind::crossing ? samples
+                                                                             : samples + crossings);
         if (point[key] == no_id) {
           point[key] = std::uint32_t(patches.points.size());
           patches.points.push_back(arrangement_.position(corner));

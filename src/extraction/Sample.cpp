@@ -12,8 +12,8 @@ namespace CGAL::Extremal_mesh_3 {
 
 namespace {
 
-/// A new sample must face roughly as those around it do: a surface point whose normal has turned by more than this lies on
-/// another sheet (cos 66°).
+/// A new sample must face roughly as those around it do: a surface point whose normal has turned by more than this lies
+/// on another sheet (cos 66°).
 constexpr double least_cosine = 0.4;
 
 std::optional<Sample> accepted(const Surface& surface, const Point& x, const Vector& direction, double reach) {

@@ -20,7 +20,7 @@ struct Sample {
   Point p{};
   Local_shape shape;
   Complex P;
-  double phase = 0;     ///< arg Φ in [0, π) where E_g ≥ 0, else in [−π, 0); lines lie where it is a multiple of π
+  double phase = 0; ///< arg Φ in [0, π) where E_g ≥ 0, else in [−π, 0); lines lie where it is a multiple of π
   bool positive = true; ///< E_g ≥ 0; sign(0) is +
   bool exact = true;    ///< on the surface itself, not interpolated between samples
 
@@ -32,7 +32,8 @@ struct Sample {
 class Surface {
 public:
   virtual ~Surface() = default;
-  /// the sample at the point of the line x + s·direction, |s| ≤ reach, where it meets the surface; nothing if none is found.
+  /// the sample at the point of the line x + s·direction, |s| ≤ reach, where it meets the surface; nothing if none is
+  /// found.
   virtual std::optional<Sample> sample(const Point& x, const Vector& direction, double reach) const = 0;
   /// ∇e_i·t_i, for the family i.
   /// \param step  a length that is small here, for surfaces that must take differences
@@ -57,8 +58,8 @@ Moved_fields moved_to(const Sample& a, const Sample& b);
 /// the weighted mean of samples: L and C are interpolated in a common frame.
 Sample interpolate(const std::vector<const Sample*>& samples, const std::vector<double>& weights);
 
-/// the point of the surface above the chord from a to b at parameter t; interpolated where the surface cannot be reached. Exchanging the ends and
-/// taking 1 − t gives the same point, to the last bit for t = ½.
+/// the point of the surface above the chord from a to b at parameter t; interpolated where the surface cannot be
+/// reached. Exchanging the ends and taking 1 − t gives the same point, to the last bit for t = ½.
 Sample sample_between(const Surface& surface, const Sample& a, const Sample& b, double t);
 
 /// the same above the centroid of several samples.

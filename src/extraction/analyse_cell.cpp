@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// P vanishes at extremal points and umbilics, Q at umbilics. A cell is accepted when, of both, it is known how often they vanish
-// inside: a field whose values keep to one side of 0 by more than the error of its linear model has no zero; one whose linear
-// model is one-to-one by more than its error has at most one zero, and the winding around the border says whether it has.
+// P vanishes at extremal points and umbilics, Q at umbilics. A cell is accepted when, of both, it is known how often
+// they vanish inside: a field whose values keep to one side of 0 by more than the error of its linear model has no
+// zero; one whose linear model is one-to-one by more than its error has at most one zero, and the winding around the
+// border says whether it has.
 #include "analyse_cell.h"
 
 #include "../differential/vector.h"
@@ -19,13 +20,13 @@ namespace CGAL::Extremal_mesh_3 {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-/// A field is taken for one-to-one if its error is below this part of (least stretch × radius): for a quadratic deviation that keeps
-/// the Jacobian from vanishing in the cell.
+/// A field is taken for one-to-one if its error is below this part of (least stretch × radius): for a quadratic
+/// deviation that keeps the Jacobian from vanishing in the cell.
 constexpr double one_to_one = 0.3;
 /// Values must keep from 0 by so many times the error.
 constexpr double clearance = 2.0;
-/// The rise of the phase over a cell must exceed its error by this factor for the lines to run straight through.
-constexpr double straightness = 3.0;
+/// A linear model with error r over a cell of radius ρ has a gradient that is wrong by up to this times r/ρ.
+constexpr double gradient_error = 3.0;
 /// Cells narrower than this get additional samples around their middle.
 constexpr double least_aspect = 0.3;
 
@@ -43,12 +44,13 @@ double spherical_area(const Refined_complex& complex, const std::vector<Half_edg
 
 /// What is known of a field in a cell.
 struct Field_state {
+  Linear_fit<Complex> fit;
   bool nonzero = false; ///< nowhere 0
   bool simple = false;  ///< at most one zero, which is simple
 };
 
 Field_state examine(const Planar_points& points, const std::vector<Complex>& values) {
-  const Linear_fit<Complex> fit(points, values);
+  Field_state state{Linear_fit<Complex>(points, values)};
   Complex direction = 0;
   for (const Complex& v : values)
     direction += v / std::abs(v);
@@ -56,7 +58,9 @@ Field_state examine(const Planar_points& points, const std::vector<Complex>& val
   double nearest = std::numeric_limits<double>::infinity();
   for (const Complex& v : values)
     nearest = std::min(nearest, (v * std::conj(direction)).real());
-  return {nearest > clearance * fit.residual, fit.residual < one_to_one * least_stretch(fit) * points.radius};
+  state.nonzero = nearest > clearance * state.fit.residual;
+  state.simple = state.fit.residual < one_to_one * least_stretch(state.fit) * points.radius;
+  return state;
 }
 
 /// The cell in the tangent plane of its middle.
@@ -91,11 +95,53 @@ Flat_cell flatten(const Refined_complex& complex, const std::vector<Half_edge>& 
   return flat;
 }
 
+/// tells whether the phase of Φ = P² Q has no critical point in the cell: ∇φ = 2 Im(∇P/P) + Im(∇Q/Q), taken with the
+/// gradients of the linear models, keeps to one side of a line by more than the error of the models.
+///
+/// The phase itself may be far from linear: along a line that leaves an extremal point where one extremality varies
+/// much faster than the other it turns within a narrow strip, while P is as linear as can be.
+bool phase_is_regular(const Flat_cell& flat, const Field_state& P, const Field_state& Q) {
+  std::vector<Complex> gradient(flat.P.size()); // |P|²|Q|² ∇φ, as x + iy
+  std::vector<double> error(flat.P.size());
+  for (std::size_t i = 0; i < gradient.size(); ++i) {
+    const Complex p = std::conj(flat.P[i]), q = std::conj(flat.Q[i]);
+    const double a = 2 * std::norm(q), b = std::norm(p);
+    gradient[i] = {a * (p * P.fit.x).imag() + b * (q * Q.fit.x).imag(),
+                   a * (p * P.fit.y).imag() + b * (q * Q.fit.y).imag()};
+    error[i] =
+        gradient_error / flat.points.radius * (a * std::abs(p) * P.fit.residual + b * std::abs(q) * Q.fit.residual);
+  }
+  double least = 0, greatest = 0; // directions, relative to the first
+  for (const Complex& g : gradient) {
+    const double angle = std::arg(g * std::conj(gradient[0]));
+    least = std::min(least, angle);
+    greatest = std::max(greatest, angle);
+  }
+  const Complex direction = std::polar(1.0, std::arg(gradient[0]) + (least + greatest) / 2);
+  for (std::size_t i = 0; i < gradient.size(); ++i)
+    if (!((gradient[i] * std::conj(direction)).real() > error[i]))
+      return false;
+  return true;
+}
+
 /// tells whether the lines through a cell without zeros of P and Q run in one way only.
 bool lines_are_certain(const Refined_complex& complex, const std::vector<Half_edge>& border, const Flat_cell& flat,
-                       const Border_crossings& met) {
-  // The phase, lifted to a real function: along the border by the edges' turns, at the middle and the other inner samples
-  // by the least turn from each sample of the border. All must agree.
+                       const Field_state& P, const Field_state& Q, const Border_crossings& met) {
+  if (phase_is_regular(flat, P, Q)) {
+    std::vector<std::int32_t> levels; // no closed line; a line that meets the border twice has one way to go
+    for (const Border_crossing& c : met.crossings)
+      levels.push_back(c.level);
+    std::sort(levels.begin(), levels.end());
+    for (std::size_t i = 0; i + 2 < levels.size(); ++i)
+      if (levels[i] == levels[i + 2])
+        return false;
+    return true;
+  }
+  if (!met.crossings.empty())
+    return false;
+
+  // No crossings: the phase must keep from its levels inside, too. It is lifted to a real function: along the border by
+  // the edges' turns, to the inner samples by the least turn from each sample of the border. All must agree.
   std::vector<double> phase(flat.points.z.size());
   phase[0] = complex.samples()[complex.source(border[0])].phase;
   for (std::size_t i = 1; i < border.size(); ++i) {
@@ -112,26 +158,14 @@ bool lines_are_certain(const Refined_complex& complex, const std::vector<Half_ed
       else if (std::abs(lifted - phase[j]) > 1)
         return false;
     }
-  const Linear_fit<double> fit(flat.points, phase);
-  if (std::hypot(fit.x, fit.y) * flat.points.radius > straightness * fit.residual) {
-    std::vector<std::int32_t> levels; // monotone: each line passes once
-    for (const Border_crossing& c : met.crossings)
-      levels.push_back(c.level);
-    std::sort(levels.begin(), levels.end());
-    for (std::size_t i = 0; i + 2 < levels.size(); ++i)
-      if (levels[i] == levels[i + 2])
-        return false;
-    return true;
-  }
-  if (!met.crossings.empty())
-    return false;
   double gap = pi;
   for (const double p : phase)
     gap = std::min(gap, std::abs(p - pi * std::round(p / pi)));
-  return gap > clearance * fit.residual;
+  return gap > clearance * Linear_fit<double>(flat.points, phase).residual;
 }
 
-/// tells, without a look inside, that nothing happens in a cell: the fields hardly turn around it and Φ keeps far from the real axis.
+/// tells, without a look inside, that nothing happens in a cell: the fields hardly turn around it and Φ keeps far from
+/// the real axis.
 bool plainly_empty(const Refined_complex& complex, const std::vector<Half_edge>& border, const Border_crossings& met) {
   if (!met.crossings.empty())
     return false;
@@ -227,7 +261,7 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
     return result;
   };
 
-  if (known && wP == 0 && wQ == 0 && lines_are_certain(complex, border, flat, met)) {
+  if (known && wP == 0 && wQ == 0 && lines_are_certain(complex, border, flat, P, Q, met)) {
     result.content = Content::lines;
     return result;
   }
@@ -259,7 +293,8 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
     return result;
   }
   if (std::abs(wP) == 1 && wQ == 0)
-    return accept(Content::extremal_point, locate_zero(complex.surface(), Field::P, middle, size, 2 * size).value_or(middle));
+    return accept(Content::extremal_point,
+                  locate_zero(complex.surface(), Field::P, middle, size, 2 * size).value_or(middle));
   if (std::abs(wP) == 1 && std::abs(wQ) == 1)
     return accept(Content::umbilic, locate_zero(complex.surface(), Field::Q, middle, size, 2 * size).value_or(middle));
   return accept(Content::unresolved, middle);

@@ -32,9 +32,10 @@ struct Cell_analysis {
   std::optional<Sample> sample;     ///< the vertex in the cell, or its middle
 };
 
-/// decides what a cell holds: windings of P and Q around its border count their zeros inside, and a linear model of each, with its error
-/// measured at the samples, tells whether there can be more than the windings say.
-/// \param may_divide  give up with `Content::undecided` when in doubt; otherwise the simplest content that the border allows is taken
+/// decides what a cell holds: windings of P and Q around its border count their zeros inside, and a linear model of
+/// each, with its error measured at the samples, tells whether there can be more than the windings say. \param
+/// may_divide  give up with `Content::undecided` when in doubt; otherwise the simplest content that the border allows
+/// is taken
 Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& cell, bool may_divide);
 
 /// the sample, or one moved within the surface by a small part of `size` if it lies on a line, or so near to a

@@ -12,7 +12,8 @@ namespace CGAL::Extremal_mesh_3 {
 std::optional<Sample> locate_zero(const Surface& surface, Field field, const Sample& start, double size, double reach) {
   Sample best = start;
   const auto value = [&](const Sample& s) { return field == Field::P ? s.P : s.shape.Q; };
-  // The Jacobian by differences over a part of the cell: accurate enough to win three digits a step, and far from rounding.
+  // The Jacobian by differences over a part of the cell: accurate enough to win three digits a step, and far from
+  // rounding.
   const double h = 1e-3 * size;
   double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 40; ++i) {
