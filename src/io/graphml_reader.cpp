@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -195,9 +194,11 @@ private:
   void read_edge() {
     const std::string id(xml_.attribute("id"));
     Extremal_mesh_edge& edge = edges_.emplace_back();
-    const char* const end = id.data() + id.size();
-    if (!id.starts_with('e') || std::from_chars(id.data() + 1, end, edge.id).ptr != end || id.size() == 1)
+    try {
+      graphml::parse(id.starts_with('e') ? std::string_view(id).substr(1) : std::string_view(), edge.id);
+    } catch (const graphml::Value_error&) {
       xml_.fail(fmt::format("'{}' is not the id of an edge; expected e0, e1, …", id));
+    }
     edge.source = vertex(xml_.attribute("source"), id);
     edge.target = vertex(xml_.attribute("target"), id);
     read_element(edge_keys_, graphml::edge_fields, edge, fmt::format("edge '{}'", id));
