@@ -20,8 +20,8 @@ namespace CGAL::Extremal_mesh_3 {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-/// A field is taken for one-to-one if its error is below this part of (least stretch × radius): for a quadratic
-/// deviation that keeps the Jacobian from vanishing in the cell.
+/// A field is taken for one-to-one if its error, carried back to the plane by its linear model, is below this part of
+/// the cell's radius: for a quadratic deviation that keeps the Jacobian from vanishing in the cell.
 constexpr double one_to_one = 0.3;
 /// Values must keep from 0 by so many times the error.
 constexpr double clearance = 2.0;
@@ -49,8 +49,8 @@ struct Field_state {
   bool simple = false;  ///< at most one zero, which is simple
 };
 
-Field_state examine(const Planar_points& points, const std::vector<Complex>& values) {
-  Field_state state{Linear_fit<Complex>(points, values)};
+/// the least height of values above a line through 0.
+double clearance_of(const std::vector<Complex>& values) {
   Complex direction = 0;
   for (const Complex& v : values)
     direction += v / std::abs(v);
@@ -58,8 +58,22 @@ Field_state examine(const Planar_points& points, const std::vector<Complex>& val
   double nearest = std::numeric_limits<double>::infinity();
   for (const Complex& v : values)
     nearest = std::min(nearest, (v * std::conj(direction)).real());
-  state.nonzero = nearest > clearance * state.fit.residual;
-  state.simple = state.fit.residual < one_to_one * least_stretch(state.fit) * points.radius;
+  return nearest;
+}
+
+Field_state examine(const Planar_points& points, const std::vector<Complex>& values) {
+  Field_state state{Linear_fit<Complex>(points, values)};
+  // Often one part of a field varies far more than the other, and so does its error. Carried back to the plane by the
+  // linear model, both are measured by what they do there.
+  std::vector<Complex> carried_back;
+  double error = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    carried_back.push_back(preimage(state.fit, values[i]));
+    error = std::max(error, std::abs(preimage(state.fit, state.fit.differences[i])));
+  }
+  state.nonzero =
+      clearance_of(values) > clearance * state.fit.residual || clearance_of(carried_back) > clearance * error;
+  state.simple = error < one_to_one * points.radius;
   return state;
 }
 
@@ -124,24 +138,10 @@ bool phase_is_regular(const Flat_cell& flat, const Field_state& P, const Field_s
   return true;
 }
 
-/// tells whether the lines through a cell without zeros of P and Q run in one way only.
-bool lines_are_certain(const Refined_complex& complex, const std::vector<Half_edge>& border, const Flat_cell& flat,
-                       const Field_state& P, const Field_state& Q, const Border_crossings& met) {
-  if (phase_is_regular(flat, P, Q)) {
-    std::vector<std::int32_t> levels; // no closed line; a line that meets the border twice has one way to go
-    for (const Border_crossing& c : met.crossings)
-      levels.push_back(c.level);
-    std::sort(levels.begin(), levels.end());
-    for (std::size_t i = 0; i + 2 < levels.size(); ++i)
-      if (levels[i] == levels[i + 2])
-        return false;
-    return true;
-  }
-  if (!met.crossings.empty())
-    return false;
-
-  // No crossings: the phase must keep from its levels inside, too. It is lifted to a real function: along the border by
-  // the edges' turns, to the inner samples by the least turn from each sample of the border. All must agree.
+/// the phase, lifted to a real function: along the border by the edges' turns, to the inner samples by the least turn
+/// from each sample of the border. Empty if these do not agree.
+std::vector<double> lifted_phase(const Refined_complex& complex, const std::vector<Half_edge>& border,
+                                 const Flat_cell& flat) {
   std::vector<double> phase(flat.points.z.size());
   phase[0] = complex.samples()[complex.source(border[0])].phase;
   for (std::size_t i = 1; i < border.size(); ++i) {
@@ -156,12 +156,36 @@ bool lines_are_certain(const Refined_complex& complex, const std::vector<Half_ed
       if (i == 0)
         phase[j] = lifted;
       else if (std::abs(lifted - phase[j]) > 1)
-        return false;
+        return {};
     }
+  return phase;
+}
+
+/// tells whether the lines through a cell without zeros of P and Q run in one way only.
+bool lines_are_certain(const Refined_complex& complex, const std::vector<Half_edge>& border, const Flat_cell& flat,
+                       const Field_state& P, const Field_state& Q, const Border_crossings& met) {
+  const std::vector<double> phase = lifted_phase(complex, border, flat);
+  if (phase.empty())
+    return false;
+  const Linear_fit<double> fit(flat.points, phase);
+  const bool straight = std::hypot(fit.x, fit.y) * flat.points.radius > gradient_error * fit.residual;
+  if (straight || phase_is_regular(flat, P, Q)) {
+    std::vector<std::int32_t> levels; // no closed line; a line that meets the border twice has one way to go
+    for (const Border_crossing& c : met.crossings)
+      levels.push_back(c.level);
+    std::sort(levels.begin(), levels.end());
+    for (std::size_t i = 0; i + 2 < levels.size(); ++i)
+      if (levels[i] == levels[i + 2])
+        return false;
+    return true;
+  }
+  if (!met.crossings.empty())
+    return false;
+  // The phase must keep from its levels inside, too.
   double gap = pi;
   for (const double p : phase)
     gap = std::min(gap, std::abs(p - pi * std::round(p / pi)));
-  return gap > clearance * Linear_fit<double>(flat.points, phase).residual;
+  return gap > clearance * fit.residual;
 }
 
 /// tells, without a look inside, that nothing happens in a cell: the fields hardly turn around it and Φ keeps far from

@@ -46,7 +46,8 @@ struct Planar_points {
 /// The linear function nearest to values (real or complex) at points of the plane.
 template <class Value> struct Linear_fit {
   Value constant{}, x{}, y{};
-  double residual = 0; ///< greatest difference at a point
+  std::vector<Value> differences; ///< of the values from the function, at each point
+  double residual = 0;            ///< the greatest of them
 
   Linear_fit(const Planar_points& points, const std::vector<Value>& values) {
     const auto m = points.moments();
@@ -61,16 +62,20 @@ template <class Value> struct Linear_fit {
     x = (m.yy * bx - m.xy * by) / det;
     y = (m.xx * by - m.xy * bx) / det;
     constant = mean - m.center.real() * x - m.center.imag() * y;
-    for (std::size_t i = 0; i < values.size(); ++i)
-      residual = std::max(residual, std::abs(values[i] - (*this)(points.z[i])));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      differences.push_back(values[i] - (*this)(points.z[i]));
+      residual = std::max(residual, std::abs(differences.back()));
+    }
   }
   Value operator()(std::complex<double> p) const { return constant + p.real() * x + p.imag() * y; }
 };
 
-/// the least stretch of a complex linear function: the smaller singular value.
-inline double least_stretch(const Linear_fit<std::complex<double>>& f) {
-  const std::complex<double> i(0, 1);
-  return std::abs(std::abs(f.x - i * f.y) - std::abs(f.x + i * f.y)) / 2;
+/// the point z at which the linear part of `f` is `value`: values measured in the plane. Not finite if the linear part
+/// is singular.
+inline std::complex<double> preimage(const Linear_fit<std::complex<double>>& f, std::complex<double> value) {
+  const double det = f.x.real() * f.y.imag() - f.x.imag() * f.y.real();
+  return {(value.real() * f.y.imag() - value.imag() * f.y.real()) / det,
+          (f.x.real() * value.imag() - f.x.imag() * value.real()) / det};
 }
 
 } // namespace CGAL::Extremal_mesh_3
