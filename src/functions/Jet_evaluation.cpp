@@ -6,7 +6,7 @@
 #include <CGAL/Extremal_mesh_3/internal/elementary_functions.h>
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
 
 namespace CGAL::Extremal_mesh_3::internal {
 namespace {

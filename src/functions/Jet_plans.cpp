@@ -4,7 +4,6 @@
 
 #include <CGAL/Extremal_mesh_3/internal/Taylor_indices.h>
 
-#include <algorithm>
 #include <array>
 
 namespace CGAL::Extremal_mesh_3::internal {

@@ -7,6 +7,7 @@
 #include <CGAL/Extremal_mesh_3/internal/Taylor_indices.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace CGAL::Extremal_mesh_3::internal {
 namespace {

@@ -33,8 +33,8 @@ private:
 ///   `min max hypot` of two or more. `log` and `ln` are the natural logarithm, angles are in radians;
 /// - an equation `f = g` means `f - g`.
 ///
-/// Powers with a constant integer exponent up to 64 in size are products and exist for every base; other powers
-/// are those of `std::pow`, with derivatives where the base is positive (any base but 0 if the exponent is a constant).
+/// Powers with a constant integer exponent up to 64 in size are products and exist for every base; other powers are
+/// those of `std::pow`, with derivatives where the base is positive.
 /// At a kink the derivatives are those of one branch: of `u` for `abs(u)` where `u = 0`, and
 /// of `u` for `min(u, v)` and `max(u, v)` where `u = v`. `sign` has derivatives 0.
 ///
