@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What holds for the extremal mesh of any surface, on surfaces with border in the form that the border leaves.
+#include "checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL::Extremal_mesh_3 {
+
+namespace {
+
+std::size_t count(const Extremal_mesh& mesh, Vertex_kind kind) {
+  std::size_t n = 0;
+  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    n += mesh.vertex(v).kind == kind;
+  return n;
+}
+
+Check not_applicable(std::string name, std::string claim, std::string why) {
+  return {std::move(name), std::move(claim), false, true, std::move(why)};
+}
+
+Check equality(std::string name, std::string claim, double left, double right) {
+  return {std::move(name), std::move(claim), true, left == right,
+          fmt::format("{} {} {}", left, left == right ? "=" : "≠", right)};
+}
+
+const std::string border_frees = "the surface has a border";
+
+} // namespace
+
+Check check_degrees(const Extremal_mesh& mesh) {
+  Violations bad;
+  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
+    const Extremal_mesh_vertex& x = mesh.vertex(v);
+    const std::size_t degree = x.star.size();
+    const bool good = x.kind == Vertex_kind::extremal_point ? degree == 4
+                      : x.kind == Vertex_kind::umbilic
+                          ? (x.ridges == 1 || x.ridges == 3) && degree == std::size_t(2 * x.ridges)
+                      : x.kind == Vertex_kind::boundary ? degree == 1
+                      : x.kind == Vertex_kind::anchor   ? degree == 2
+                                                        : degree >= 2 && degree % 2 == 0;
+    if (!good)
+      bad.at(fmt::format("{} {} of degree {}", to_string(x.kind), v, degree), x.point);
+  }
+  return bad.check("degrees",
+                   "extremal points have degree 4, umbilics 2 or 6, anchors 2, boundary vertices 1, others an even one",
+                   fmt::format("{} vertices", mesh.number_of_vertices()));
+}
+
+Check check_families(const Extremal_mesh& mesh) {
+  Violations bad;
+  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
+    const Extremal_mesh_vertex& x = mesh.vertex(v);
+    const std::size_t n = x.star.size();
+    const auto family = [&](std::size_t i) { return mesh.edge(x.star[i % n] / 2).family; };
+    bool good = true;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (x.kind == Vertex_kind::extremal_point)
+        good = good && family(i) != family(i + 1);
+      if (x.kind == Vertex_kind::umbilic) // opposite branches are one line, which changes its family here
+        good = good && family(i) != family(i + n / 2);
+    }
+    if (!good)
+      bad.at(fmt::format("{} {}", to_string(x.kind), v), x.point);
+  }
+  return bad.check("families", "families alternate around extremal points, and lines change family at umbilics",
+                   fmt::format("{} vertices", mesh.number_of_vertices()));
+}
+
+Check check_umbilics(const Extremal_mesh& mesh) {
+  Violations bad;
+  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
+    const Extremal_mesh_vertex& x = mesh.vertex(v);
+    const double index = x.umbilic_type == Umbilic_type::none ? 0 : x.umbilic_type == Umbilic_type::star ? -0.5 : 0.5;
+    const bool umbilic = x.kind == Vertex_kind::umbilic;
+    if ((umbilic != (x.umbilic_type != Umbilic_type::none)) ||
+        (x.kind != Vertex_kind::non_generic && x.umbilic_index != index) ||
+        2 * x.umbilic_index != std::round(2 * x.umbilic_index))
+      bad.at(fmt::format("{} {} is a {} of index {}", to_string(x.kind), v, to_string(x.umbilic_type), x.umbilic_index),
+             x.point);
+  }
+  return bad.check("umbilics", "lemons and monstars have index ½, stars −½, other vertices 0",
+                   fmt::format("{} umbilics", count(mesh, Vertex_kind::umbilic)));
+}
+
+Check check_alternation(const Extremal_mesh& mesh) {
+  Violations bad;
+  for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
+    const Extremal_mesh_edge& x = mesh.edge(e);
+    if (mesh.cell(x.left_cell).sign + mesh.cell(x.right_cell).sign != 0)
+      bad.at(fmt::format("edge {} between cells {} and {}", e, x.left_cell, x.right_cell), mesh.vertex(x.source).point);
+  }
+  return bad.check("alternation", "E_g changes its sign across every line",
+                   fmt::format("{} edges", mesh.number_of_edges()));
+}
+
+Check check_cells(const Extremal_mesh& mesh) {
+  Violations bad;
+  double area = 0;
+  for (std::size_t c = 0; c < mesh.number_of_cells(); ++c) {
+    const Extremal_mesh_cell& x = mesh.cell(c);
+    area += x.area;
+    // An open surface of genus g with b holes has χ = 2 − 2g − b.
+    const int holes = int(x.boundary.size()), rest = 2 - x.euler_characteristic - holes;
+    const bool good = x.area > 0 && (x.sign == 1 || x.sign == -1) && (x.touches_border || (rest >= 0 && rest % 2 == 0));
+    if (!good)
+      bad.at(
+          fmt::format("cell {} with χ = {}, {} boundary walks, area {:.3g}", c, x.euler_characteristic, holes, x.area),
+          holes > 0 ? mesh.vertex(mesh.source(x.boundary[0][0])).point : Point{});
+  }
+  if (std::abs(area - mesh.surface().area) > 1e-9 * std::abs(area))
+    bad.at(fmt::format("the areas of the cells sum to {}, the surface has {}", area, mesh.surface().area), Point{});
+  return bad.check("cells", "cells have an area, and χ = 2 − 2g − (boundary walks) with a whole genus g ≥ 0",
+                   fmt::format("{} cells", mesh.number_of_cells()));
+}
+
+Check check_euler(const Extremal_mesh& mesh) {
+  // The border of the surface and the vertices on it, cut into as many arcs, cancel.
+  const std::int64_t vertices = std::int64_t(mesh.number_of_vertices() - count(mesh, Vertex_kind::boundary));
+  std::int64_t cells = 0;
+  for (const Extremal_mesh_cell& c : mesh.cells())
+    cells += c.euler_characteristic;
+  Check check = equality("euler", "V − E + Σ χ(cell) = χ of the surface",
+                         double(vertices - std::int64_t(mesh.number_of_edges()) + cells),
+                         double(mesh.surface().euler_characteristic));
+  check.detail += fmt::format(" ({} − {} + {})", vertices, mesh.number_of_edges(), cells);
+  return check;
+}
+
+Check check_faces(const Extremal_mesh& mesh) {
+  const std::string name = "faces", claim = "F = χ + #EP + 2·#(3-ridge umbilics), if all cells are disks";
+  if (!mesh.surface().closed)
+    return not_applicable(name, claim, border_frees);
+  for (std::size_t c = 0; c < mesh.number_of_cells(); ++c)
+    if (mesh.cell(c).euler_characteristic != 1)
+      return not_applicable(name, claim, fmt::format("cell {} is not a disk", c));
+  std::int64_t surplus = 0; // half the degree less 1: 1 for an EP, 2 for a 3-ridge umbilic
+  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    surplus += std::int64_t(mesh.vertex(v).star.size()) / 2 - 1;
+  return equality(name, claim, double(mesh.number_of_cells()), double(mesh.surface().euler_characteristic + surplus));
+}
+
+Check check_umbilic_index(const Extremal_mesh& mesh) {
+  const std::string name = "umbilic_index", claim = "the indices of the umbilics sum to χ";
+  if (!mesh.surface().closed)
+    return not_applicable(name, claim, border_frees);
+  double sum = 0;
+  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    sum += mesh.vertex(v).umbilic_index;
+  return equality(name, claim, sum, double(mesh.surface().euler_characteristic));
+}
+
+Check check_field_index(const Extremal_mesh& mesh) {
+  const std::string name = "field_index",
+                    claim = "the indices of R (e1 t1 − e2 t2) at extremal points and umbilics sum to χ";
+  if (!mesh.surface().closed)
+    return not_applicable(name, claim, border_frees);
+  std::int64_t sum = 0;
+  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    sum += mesh.vertex(v).field_index;
+  return equality(name, claim, double(sum), double(mesh.surface().euler_characteristic));
+}
+
+Check check_even_extremal_points(const Extremal_mesh& mesh) {
+  const std::string name = "even_extremal_points",
+                    claim = "a closed generic surface has an even number of extremal points";
+  if (!mesh.surface().closed)
+    return not_applicable(name, claim, border_frees);
+  if (count(mesh, Vertex_kind::non_generic) > 0)
+    return not_applicable(name, claim, "the surface has non-generic vertices");
+  const std::size_t points = count(mesh, Vertex_kind::extremal_point);
+  return {name, claim, true, points % 2 == 0, fmt::format("{} extremal points", points)};
+}
+
+Check check_border(const Extremal_mesh& mesh) {
+  const std::size_t ends = count(mesh, Vertex_kind::boundary);
+  const bool touched =
+      std::any_of(mesh.cells().begin(), mesh.cells().end(), [](const auto& c) { return c.touches_border; });
+  const bool holds = mesh.surface().closed ? ends == 0 && !touched : ends % 2 == 0 && touched;
+  return {"border", "lines end on the border an even number of times, and nowhere on a closed surface", true, holds,
+          fmt::format("{} boundary vertices on a {} surface", ends, mesh.surface().closed ? "closed" : "bordered")};
+}
+
+} // namespace CGAL::Extremal_mesh_3
