@@ -16,7 +16,13 @@ namespace CGAL::Extremal_mesh_3 {
 
 namespace {
 
-constexpr std::string_view space = " \t\r\n";
+constexpr bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
+constexpr bool ends_name(char c) {
+  return is_space(c) || c == '=' || c == '/' || c == '>' || c == '<' || c == '"' || c == '\'' || c == '&';
+}
 
 std::string_view without_prefix(std::string_view name) {
   return name.substr(name.find(':') + 1);
@@ -122,9 +128,9 @@ void Xml_reader::fail(std::string_view message) const {
 void Xml_reader::read_characters() {
   const std::size_t end = std::min(text_.find('<', at_), text_.size());
   const std::string_view raw = text_.substr(at_, end - at_);
-  if (open_.empty() && raw.find_first_not_of(space) != raw.npos)
+  if (open_.empty() && !std::all_of(raw.begin(), raw.end(), is_space))
     fail("there are characters outside of the document's element");
-  if (decoded_.empty() && characters_.empty() && raw.find_first_of("&\r") == raw.npos) {
+  if (decoded_.empty() && characters_.empty() && raw.find('&') == raw.npos && raw.find('\r') == raw.npos) {
     characters_ = raw;
   } else {
     if (decoded_.empty())
@@ -169,8 +175,10 @@ void Xml_reader::read_attributes() {
     skip_space();
     if (!starts_with("\"") && !starts_with("'"))
       fail(fmt::format("the value of attribute '{}' is not in quotes", name));
-    const std::string_view quote = text_.substr(at_++, 1);
-    const std::size_t end = find(quote, fmt::format("the value of attribute '{}' does not end", name));
+    const std::size_t end = text_.find(text_[at_], at_ + 1);
+    if (end == text_.npos)
+      fail(fmt::format("the value of attribute '{}' does not end", name));
+    ++at_;
     if (number_of_attributes_ == attributes_.size())
       attributes_.emplace_back();
     auto& attribute = attributes_[number_of_attributes_++];
@@ -182,7 +190,9 @@ void Xml_reader::read_attributes() {
 }
 
 std::string_view Xml_reader::read_name() {
-  const std::size_t end = std::min(text_.find_first_of(" \t\r\n=/><\"'&", at_), text_.size());
+  std::size_t end = at_;
+  while (end < text_.size() && !ends_name(text_[end]))
+    ++end;
   if (end == at_)
     fail("expected a name");
   const std::string_view name = text_.substr(at_, end - at_);
@@ -227,7 +237,8 @@ void Xml_reader::decode(std::string_view raw, std::string& out) const {
 }
 
 void Xml_reader::skip_space() {
-  at_ = std::min(text_.find_first_not_of(space, at_), text_.size());
+  while (at_ < text_.size() && is_space(text_[at_]))
+    ++at_;
 }
 
 std::size_t Xml_reader::find(std::string_view what, std::string_view missing) const {

@@ -72,8 +72,7 @@ std::vector<Extremal_mesh_cell> parse_cells(std::string_view text) {
     if (!json::parse(text, take_cell).is_array())
       throw graphml::Value_error("it is not a JSON array");
   } catch (const json::exception& error) {
-    throw graphml::Value_error(
-        fmt::format("it is not the JSON of cells, at cell {}: {}", cells.size(), error.what()));
+    throw graphml::Value_error(fmt::format("it is not the JSON of cells, at cell {}: {}", cells.size(), error.what()));
   }
   return cells;
 }

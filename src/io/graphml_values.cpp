@@ -13,13 +13,16 @@ namespace CGAL::Extremal_mesh_3::graphml {
 
 namespace {
 
-constexpr std::string_view space = " \t\r\n";
+constexpr bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
 
 /// takes the next word off the front of `text`; empty at its end.
 std::string_view next_word(std::string_view& text) {
-  text.remove_prefix(std::min(text.find_first_not_of(space), text.size()));
-  const std::string_view word = text.substr(0, text.find_first_of(space));
-  text.remove_prefix(word.size());
+  const auto begin = std::find_if_not(text.begin(), text.end(), is_space);
+  const auto end = std::find_if(begin, text.end(), is_space);
+  const std::string_view word(begin, end);
+  text = std::string_view(end, text.end());
   return word;
 }
 
