@@ -27,10 +27,14 @@ template <int Degree> void node_values(const Spline_volume& volume, std::size_t 
     slices[r] = volume.coefficients.data() + clamped(k + r, nz) * nx * ny;
 
   // The rows of the slice filtered along z, the last few of them in turn: row j − radius + r is lines[(j + r) % n].
-  std::vector<double> lines(slices.size() * nx), padded(nx + 2 * radius);
+  // Lines a multiple of 2 or 4 kB apart would get into each other's way in the first cache.
+  const std::size_t stride = (nx + 2 * radius) / 64 * 64 + 64 + 40;
+  std::vector<double> buffer((slices.size() + 1) * stride);
+  double* const lines = buffer.data();
+  double* const padded = lines + slices.size() * stride;
   const auto filter_along_z = [&, nx = nx, ny = ny](std::size_t r) {
     const std::size_t first = clamped(r, ny) * nx;
-    double* const line = lines.data() + r % slices.size() * nx;
+    double* const line = lines + r % slices.size() * stride;
 #pragma GCC ivdep
     for (std::size_t i = 0; i < nx; ++i) {
       double sum = w[0] * static_cast<double>(slices[radius][first + i]);
@@ -46,7 +50,7 @@ template <int Degree> void node_values(const Spline_volume& volume, std::size_t 
     filter_along_z(j + 2 * radius);
     std::array<const double*, 2 * radius + 1> rows;
     for (std::size_t r = 0; r < rows.size(); ++r)
-      rows[r] = lines.data() + (j + r) % rows.size() * nx;
+      rows[r] = lines + (j + r) % rows.size() * stride;
 #pragma GCC ivdep
     for (std::size_t i = 0; i < nx; ++i) {
       double sum = w[0] * rows[radius][i];
@@ -54,8 +58,8 @@ template <int Degree> void node_values(const Spline_volume& volume, std::size_t 
         sum += w[s] * (rows[radius - s][i] + rows[radius + s][i]);
       padded[radius + i] = sum;
     }
-    std::fill_n(padded.begin(), radius, padded[radius]);
-    std::fill_n(padded.end() - radius, radius, padded[radius + nx - 1]);
+    std::fill_n(padded, radius, padded[radius]);
+    std::fill_n(padded + radius + nx, radius, padded[radius + nx - 1]);
 #pragma GCC ivdep
     for (std::size_t i = 0; i < nx; ++i) {
       double sum = w[0] * padded[radius + i];

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_EXTREMAL_MESH_3_SRC_IMAGES_BYTE_READER_H
+#define CGAL_EXTREMAL_MESH_3_SRC_IMAGES_BYTE_READER_H
+
+#include <cstdint>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CGAL::Extremal_mesh_3 {
+
+/// The bytes of a file, decompressed (gzip or zlib) if asked for.
+class Byte_reader {
+public:
+  /// \throws std::runtime_error if the file cannot be opened
+  Byte_reader(const std::string& file, std::uint64_t offset, bool compressed);
+  ~Byte_reader();
+  Byte_reader(const Byte_reader&) = delete;
+  Byte_reader& operator=(const Byte_reader&) = delete;
+
+  /// \return how many bytes were read; less than `n` only at the end of the data
+  /// \throws std::runtime_error if the compressed data are damaged
+  std::size_t read(char* out, std::size_t n);
+
+  /// reads the rest, which shows whether compressed data are whole: they end with a checksum.
+  /// \return whether they are
+  bool is_whole();
+
+private:
+  struct Inflater;
+  std::ifstream in_;
+  std::unique_ptr<Inflater> inflater_;
+};
+
+} // namespace CGAL::Extremal_mesh_3
+
+#endif // CGAL_EXTREMAL_MESH_3_SRC_IMAGES_BYTE_READER_H

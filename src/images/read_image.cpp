@@ -1,0 +1,248 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The only file that knows ITK. Its readers are made directly: no factories, and nothing that another user of ITK in
+// the same program could see.
+
+#include <CGAL/Extremal_mesh_3/Image.h>
+
+#include "change_of_coordinates.h"
+#include "image_headers.h"
+
+#include <fmt/format.h>
+#include <itkMetaImageIO.h>
+#include <itkNiftiImageIO.h>
+#include <itkNrrdImageIO.h>
+#include <itkVTKImageIO.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <mutex>
+#include <new>
+
+namespace CGAL::Extremal_mesh_3 {
+namespace {
+
+using Component = itk::IOComponentEnum;
+
+struct Format {
+  const char* extension;
+  const char* name;
+  Stored_voxels (*find_voxels)(const std::string&);
+  itk::ImageIOBase::Pointer (*make_reader)();
+};
+
+template <typename Reader> itk::ImageIOBase::Pointer make_reader() {
+  return Reader::New().GetPointer();
+}
+
+constexpr Format formats[] = {
+    {".nrrd", "NRRD", find_nrrd_voxels, make_reader<itk::NrrdImageIO>},
+    {".nhdr", "NRRD", find_nrrd_voxels, make_reader<itk::NrrdImageIO>},
+    {".mha", "MetaImage", find_meta_voxels, make_reader<itk::MetaImageIO>},
+    {".mhd", "MetaImage", find_meta_voxels, make_reader<itk::MetaImageIO>},
+    {".nii", "NIfTI", find_nifti_voxels, make_reader<itk::NiftiImageIO>},
+    {".nii.gz", "NIfTI", find_nifti_voxels, make_reader<itk::NiftiImageIO>},
+    {".vtk", "VTK", find_vtk_voxels, make_reader<itk::VTKImageIO>},
+};
+
+// Fewer nodes along an axis hold no surface with third derivatives.
+constexpr std::size_t least_size = 4;
+
+const Format& format_of(const std::string& file) {
+  std::string name = std::filesystem::path(file).filename().string();
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const Format& format : formats)
+    if (name.ends_with(format.extension))
+      return format;
+  throw std::runtime_error(
+      "its name has none of the extensions that are read: .nrrd .nhdr .mha .mhd .nii .nii.gz .vtk");
+}
+
+void check_file(const std::string& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status))
+    throw std::runtime_error("it does not exist");
+  if (std::filesystem::is_directory(status))
+    throw std::runtime_error("it is a folder");
+  if (!std::filesystem::is_regular_file(status))
+    throw std::runtime_error("it is not a regular file");
+  if (std::filesystem::file_size(file, error) == 0)
+    throw std::runtime_error("it is empty");
+  if (!std::ifstream(file))
+    throw std::runtime_error("it cannot be opened");
+}
+
+// ITK's warnings go to the console; whether they do is a global setting of ITK.
+class Silence {
+public:
+  Silence() : display_(itk::Object::GetGlobalWarningDisplay()) { itk::Object::SetGlobalWarningDisplay(false); }
+  ~Silence() { itk::Object::SetGlobalWarningDisplay(display_); }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+private:
+  bool display_;
+};
+
+void check_shape(const itk::ImageIOBase& io) {
+  const unsigned dimensions = io.GetNumberOfDimensions();
+  bool is_3d = dimensions >= 3;
+  for (unsigned a = 3; a < dimensions; ++a)
+    is_3d = is_3d && io.GetDimensions(a) == 1;
+  if (!is_3d) {
+    std::string sizes;
+    for (unsigned a = 0; a < dimensions; ++a)
+      sizes += fmt::format("{}{}", a == 0 ? "" : " x ", io.GetDimensions(a));
+    throw std::runtime_error(fmt::format("it is not 3D: its size is {}", sizes));
+  }
+  if (io.GetNumberOfComponents() != 1)
+    throw std::runtime_error(fmt::format("it has {} values per voxel; expected one", io.GetNumberOfComponents()));
+}
+
+// NIfTI stores 3.2 as the float nearest to it: takes a number that is a float to the shortest decimal that stands for
+// the same float, so that the same image has the same lattice in every format.
+double without_rounding_of_float(double x) {
+  const auto narrow = static_cast<float>(x);
+  return static_cast<double>(narrow) == x ? std::stod(fmt::format("{}", narrow)) : x;
+}
+
+Lattice lattice_of(const itk::ImageIOBase& io, bool stores_floats) {
+  Lattice lattice;
+  for (unsigned a = 0; a < 3; ++a) {
+    lattice.size[a] = io.GetDimensions(a);
+    if (lattice.size[a] < least_size)
+      throw std::runtime_error(
+          fmt::format("its size along axis {} is {}; expected at least {}", a + 1, lattice.size[a], least_size));
+    double spacing = io.GetSpacing(a);
+    double origin = io.GetOrigin(a);
+    if (stores_floats) {
+      spacing = without_rounding_of_float(spacing);
+      origin = without_rounding_of_float(origin);
+    }
+    if (!(spacing > 0 && std::isfinite(spacing)))
+      throw std::runtime_error(
+          fmt::format("its spacing along axis {} is {}; expected a positive number", a + 1, spacing));
+    if (!std::isfinite(origin))
+      throw std::runtime_error(fmt::format("its origin along axis {} is {}", a + 1, origin));
+    lattice.origin[a] = origin + 0.0; // no −0
+    const std::vector<double> direction = io.GetDirection(a);
+    for (std::size_t i = 0; i < 3; ++i)
+      lattice.step[a][i] = spacing * direction[i] + 0.0;
+  }
+  if (!inverse_of_columns(lattice.step))
+    throw std::runtime_error("its direction matrix is singular");
+  return lattice;
+}
+
+std::uint64_t number_of_voxels(const Lattice& lattice) {
+  std::uint64_t n = 1;
+  for (std::size_t size : lattice.size)
+    if (__builtin_mul_overflow(n, size, &n))
+      n = std::numeric_limits<std::uint64_t>::max();
+  if (n > std::numeric_limits<std::uint64_t>::max() / sizeof(double))
+    throw std::runtime_error(fmt::format("its size is {} x {} x {}, which is not possible", lattice.size[0],
+                                         lattice.size[1], lattice.size[2]));
+  return n;
+}
+
+template <typename T> void convert(const std::vector<char>& bytes, std::vector<float>& voxels) {
+  for (std::size_t i = 0; i < voxels.size(); ++i) {
+    T value;
+    std::memcpy(&value, bytes.data() + i * sizeof(T), sizeof(T));
+    voxels[i] = static_cast<float>(value);
+  }
+}
+
+void convert(Component component, const std::vector<char>& bytes, std::vector<float>& voxels) {
+  switch (component) {
+  case Component::UCHAR:
+    return convert<unsigned char>(bytes, voxels);
+  case Component::CHAR:
+    return convert<signed char>(bytes, voxels);
+  case Component::USHORT:
+    return convert<unsigned short>(bytes, voxels);
+  case Component::SHORT:
+    return convert<short>(bytes, voxels);
+  case Component::UINT:
+    return convert<unsigned int>(bytes, voxels);
+  case Component::INT:
+    return convert<int>(bytes, voxels);
+  case Component::ULONG:
+    return convert<unsigned long>(bytes, voxels);
+  case Component::LONG:
+    return convert<long>(bytes, voxels);
+  case Component::ULONGLONG:
+    return convert<unsigned long long>(bytes, voxels);
+  case Component::LONGLONG:
+    return convert<long long>(bytes, voxels);
+  case Component::DOUBLE:
+    return convert<double>(bytes, voxels);
+  default:
+    throw std::runtime_error("the type of its voxels is not supported");
+  }
+}
+
+std::vector<float> read_voxels(itk::ImageIOBase& io, std::size_t n) {
+  itk::ImageIORegion region(io.GetNumberOfDimensions());
+  for (unsigned a = 0; a < io.GetNumberOfDimensions(); ++a)
+    region.SetSize(a, io.GetDimensions(a));
+  io.SetIORegion(region);
+
+  std::vector<float> voxels(n);
+  if (io.GetComponentType() == Component::FLOAT)
+    io.Read(voxels.data());
+  else {
+    std::vector<char> bytes(n * io.GetComponentSize());
+    io.Read(bytes.data());
+    convert(io.GetComponentType(), bytes, voxels);
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    if (!std::isfinite(voxels[i]))
+      throw std::runtime_error(fmt::format("its voxel {} is {}; expected a finite number", i, voxels[i]));
+  return voxels;
+}
+
+Image read(const std::string& file) {
+  check_file(file);
+  const Format& format = format_of(file);
+  const Stored_voxels stored = format.find_voxels(file);
+
+  static std::mutex itk_mutex; // NRRD's error messages and the silence are global
+  const std::scoped_lock lock(itk_mutex);
+  const Silence silence;
+  try {
+    const itk::ImageIOBase::Pointer io = format.make_reader();
+    io->SetFileName(file);
+    io->ReadImageInformation();
+    check_shape(*io);
+    Image image;
+    image.lattice = lattice_of(*io, format.find_voxels == find_nifti_voxels);
+    const std::uint64_t n = number_of_voxels(image.lattice);
+    require_complete(stored, n, io->GetComponentSize());
+    image.voxels = read_voxels(*io, n);
+    return image;
+  } catch (const itk::ExceptionObject&) { // its text has several lines, and names of functions
+    throw std::runtime_error(fmt::format("it is damaged, or is not in the format {}", format.name));
+  }
+}
+
+} // namespace
+
+Image read_image(const std::string& file) {
+  try {
+    return read(file);
+  } catch (const std::bad_alloc&) {
+    throw Io_error(fmt::format("cannot read '{}': it is larger than memory", file));
+  } catch (const std::exception& error) {
+    throw Io_error(fmt::format("cannot read '{}': {}", file, error.what()));
+  }
+}
+
+} // namespace CGAL::Extremal_mesh_3

@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Byte_reader.h"
+#include "image_headers.h"
+#include "parse_number.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL::Extremal_mesh_3 {
+namespace {
+
+constexpr std::size_t chunk = 1 << 20;
+
+[[noreturn]] void throw_truncated(std::uint64_t expected, std::uint64_t found, const char* what) {
+  throw std::runtime_error(fmt::format("it is truncated: expected {} {}, found {}", expected, what, found));
+}
+
+template <typename Float>
+void check_finite(const std::vector<char>& bytes, std::size_t n, bool swapped, std::uint64_t first_voxel) {
+  for (std::size_t i = 0; i + sizeof(Float) <= n; i += sizeof(Float)) {
+    char value_bytes[sizeof(Float)];
+    std::memcpy(value_bytes, bytes.data() + i, sizeof(Float));
+    if (swapped)
+      std::reverse(value_bytes, value_bytes + sizeof(Float));
+    Float value;
+    std::memcpy(&value, value_bytes, sizeof(Float));
+    if (!std::isfinite(value))
+      throw std::runtime_error(
+          fmt::format("its voxel {} is {}; expected a finite number", first_voxel + i / sizeof(Float), value));
+  }
+}
+
+// Reads the voxels as bytes, to count and check them.
+void read_through(const Stored_voxels& stored, std::uint64_t bytes, std::uint64_t bytes_per_voxel) {
+  Byte_reader reader(stored.file, stored.offset, stored.encoding == Stored_voxels::Encoding::compressed);
+  std::vector<char> buffer(chunk);
+  const auto read = [&](std::uint64_t n) { return reader.read(buffer.data(), std::min<std::uint64_t>(n, chunk)); };
+  for (std::uint64_t skipped = 0; skipped < stored.skipped;) {
+    const std::size_t n = read(stored.skipped - skipped);
+    if (n == 0)
+      throw_truncated(bytes, 0, "bytes of voxels");
+    skipped += n;
+  }
+  for (std::uint64_t done = 0; done < bytes;) {
+    const std::size_t n = read(bytes - done);
+    if (n == 0)
+      throw_truncated(bytes, done, "bytes of voxels");
+    if (stored.are_floats && bytes_per_voxel == sizeof(float))
+      check_finite<float>(buffer, n, stored.are_swapped, done / bytes_per_voxel);
+    else if (stored.are_floats)
+      check_finite<double>(buffer, n, stored.are_swapped, done / bytes_per_voxel);
+    done += n;
+  }
+  if (!reader.is_whole())
+    throw std::runtime_error("it is truncated: its compressed data have no end");
+}
+
+void read_through_text(const Stored_voxels& stored, std::uint64_t voxels) {
+  std::ifstream in(stored.file, std::ios::binary);
+  in.seekg(static_cast<std::streamoff>(stored.offset));
+  std::string word;
+  for (std::uint64_t i = 0; i < voxels; ++i) {
+    if (!(in >> word))
+      throw_truncated(voxels, i, "voxels");
+    if (!parse_number(word))
+      throw std::runtime_error(fmt::format("its voxel {} is '{}'; expected a number", i, word.substr(0, 20)));
+  }
+}
+
+} // namespace
+
+void require_complete(const Stored_voxels& stored, std::uint64_t voxels, std::uint64_t bytes_per_voxel) {
+  if (stored.encoding == Stored_voxels::Encoding::text)
+    return read_through_text(stored, voxels);
+  if (stored.bytes_per_voxel != 0)
+    bytes_per_voxel = stored.bytes_per_voxel;
+  const std::uint64_t bytes = voxels * bytes_per_voxel;
+  if (stored.encoding == Stored_voxels::Encoding::raw) {
+    std::error_code error;
+    const std::uint64_t size = std::filesystem::file_size(stored.file, error);
+    if (error)
+      throw std::runtime_error(fmt::format("'{}' cannot be read ({})", stored.file, error.message()));
+    const std::uint64_t found = size - std::min(size, stored.offset + stored.skipped);
+    if (found < bytes)
+      throw_truncated(bytes, found, "bytes of voxels");
+  }
+  if (stored.encoding == Stored_voxels::Encoding::compressed || stored.are_floats)
+    read_through(stored, bytes, bytes_per_voxel);
+}
+
+} // namespace CGAL::Extremal_mesh_3
