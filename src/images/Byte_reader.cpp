@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <limits>
 #include <new>
 #include <stdexcept>
 #include <system_error>
@@ -30,7 +29,8 @@ struct Byte_reader::Inflater {
   std::vector<char> input = std::vector<char>(1 << 16);
 };
 
-Byte_reader::Byte_reader(const std::string& file, std::uint64_t offset, bool compressed) : in_(file, std::ios::binary) {
+Byte_reader::Byte_reader(const std::string& file, std::uint64_t offset, bool compressed, std::uint64_t size)
+    : in_(file, std::ios::binary), left_(size) {
   if (!in_)
     throw std::runtime_error(fmt::format("'{}' cannot be opened ({})", file, std::generic_category().message(errno)));
   in_.seekg(static_cast<std::streamoff>(offset));
@@ -40,18 +40,21 @@ Byte_reader::Byte_reader(const std::string& file, std::uint64_t offset, bool com
 
 Byte_reader::~Byte_reader() = default;
 
+std::size_t Byte_reader::read_file(char* out, std::size_t n) {
+  in_.read(out, static_cast<std::streamsize>(std::min<std::uint64_t>(n, left_)));
+  left_ -= static_cast<std::uint64_t>(in_.gcount());
+  return static_cast<std::size_t>(in_.gcount());
+}
+
 std::size_t Byte_reader::read(char* out, std::size_t n) {
-  if (!inflater_) {
-    in_.read(out, static_cast<std::streamsize>(n));
-    return static_cast<std::size_t>(in_.gcount());
-  }
+  if (!inflater_)
+    return read_file(out, n);
   z_stream& stream = inflater_->stream;
   std::size_t done = 0;
   while (done < n) {
     if (stream.avail_in == 0) {
-      in_.read(inflater_->input.data(), static_cast<std::streamsize>(inflater_->input.size()));
       stream.next_in = reinterpret_cast<Bytef*>(inflater_->input.data());
-      stream.avail_in = static_cast<uInt>(in_.gcount());
+      stream.avail_in = static_cast<uInt>(read_file(inflater_->input.data(), inflater_->input.size()));
       if (stream.avail_in == 0)
         break;
     }

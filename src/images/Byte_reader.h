@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,8 +15,10 @@ namespace CGAL::Extremal_mesh_3 {
 /// The bytes of a file, decompressed (gzip or zlib) if asked for.
 class Byte_reader {
 public:
+  /// \param size  at most so many bytes of the file are read, from `offset` on
   /// \throws std::runtime_error if the file cannot be opened
-  Byte_reader(const std::string& file, std::uint64_t offset, bool compressed);
+  Byte_reader(const std::string& file, std::uint64_t offset, bool compressed,
+              std::uint64_t size = std::numeric_limits<std::uint64_t>::max());
   ~Byte_reader();
   Byte_reader(const Byte_reader&) = delete;
   Byte_reader& operator=(const Byte_reader&) = delete;
@@ -30,7 +33,10 @@ public:
 
 private:
   struct Inflater;
+  std::size_t read_file(char* out, std::size_t n);
+
   std::ifstream in_;
+  std::uint64_t left_;
   std::unique_ptr<Inflater> inflater_;
 };
 

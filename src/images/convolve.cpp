@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <mutex>
 #include <tbb/blocked_range.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -126,7 +127,9 @@ void convolve(std::span<float> voxels, const std::array<std::size_t, 3>& size,
     }
     reporter.finished(range.size());
   };
-  tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : threads);
+  // TBB prints a warning when it is asked for more threads than there are.
+  tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic
+                                     : std::min(threads, tbb::info::default_concurrency()));
   arena.execute([&, nz = nz] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, nz), within_slices);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, strips, 8), across_slices);

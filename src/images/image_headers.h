@@ -4,6 +4,7 @@
 #define CGAL_EXTREMAL_MESH_3_SRC_IMAGES_IMAGE_HEADERS_H
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 // ITK reads the images, but what is wrong with a file it keeps to itself (a truncated NIfTI or VTK file leaves the
@@ -17,8 +18,9 @@ struct Stored_voxels {
   enum class Encoding { raw, compressed, text };
 
   std::string file;
-  std::uint64_t offset = 0;  ///< of the first voxel in the file, before decompression
-  std::uint64_t skipped = 0; ///< bytes after decompression before the first voxel
+  std::uint64_t offset = 0; ///< of the first voxel in the file, before decompression
+  std::uint64_t size = std::numeric_limits<std::uint64_t>::max(); ///< at most so many bytes of the file are theirs
+  std::uint64_t skipped = 0;                                      ///< bytes after decompression before the first voxel
   Encoding encoding = Encoding::raw;
   std::uint64_t bytes_per_voxel = 0; ///< 0: those of the type that ITK reports
   bool are_floats = false;           ///< `bytes_per_voxel` being 4 or 8: their finiteness is to be checked

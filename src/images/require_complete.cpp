@@ -39,7 +39,7 @@ void check_finite(const std::vector<char>& bytes, std::size_t n, bool swapped, s
 
 // Reads the voxels as bytes, to count and check them.
 void read_through(const Stored_voxels& stored, std::uint64_t bytes, std::uint64_t bytes_per_voxel) {
-  Byte_reader reader(stored.file, stored.offset, stored.encoding == Stored_voxels::Encoding::compressed);
+  Byte_reader reader(stored.file, stored.offset, stored.encoding == Stored_voxels::Encoding::compressed, stored.size);
   std::vector<char> buffer(chunk);
   const auto read = [&](std::uint64_t n) { return reader.read(buffer.data(), std::min<std::uint64_t>(n, chunk)); };
   for (std::uint64_t skipped = 0; skipped < stored.skipped;) {

@@ -11,16 +11,22 @@
 
 namespace CGAL::Extremal_mesh_3 {
 
-/// A 3D image: one value per node of a lattice. Positions are in world coordinates, LPS in mm when read from a file (ITK's convention;
-/// NIfTI's RAS is converted).
+/// A 3D image: one value per node of a lattice. Positions are in world coordinates, LPS in mm when read from a file
+/// (ITK's convention; NIfTI's RAS is converted). The lattice may be left-handed.
 struct Image {
   Lattice lattice;
-  std::vector<float> voxels;
+  std::vector<float> voxels; ///< in the order of the lattice's nodes
 };
 
-/// reads a 3D scalar image: NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), NIfTI (.nii, .nii.gz), VTK (.vtk).
-/// \throws Io_error naming the file and what is wrong: it does not exist, is empty or truncated, is not an image, is not 3D, has several values per
-///         voxel, holds values that are not finite, or is larger than memory
+/// reads a 3D scalar image: NRRD (.nrrd, .nhdr; raw, gzip or ascii), MetaImage (.mha, .mhd; raw or compressed), NIfTI-1
+/// (.nii, .nii.gz), VTK's legacy format (.vtk; structured points), with any type of number and in either byte order.
+/// Four dimensions are read if there is only one volume; voxels in several files are not.
+/// \return spacing, origin and directions as the lattice; numbers that NIfTI stores as float are taken for the shortest
+///         decimals that they stand for (3.2, not 3.2000000477), as the other formats have them
+/// \throws Io_error naming the file and what is wrong: it does not exist, is empty, truncated or damaged, is not an
+/// image, is
+///         not 3D with 4 nodes at least along each axis, has several values per voxel, a spacing that is not positive,
+///         a singular direction matrix, a voxel that is not finite (as a float), or is larger than memory
 Image read_image(const std::string& file);
 
 } // namespace CGAL::Extremal_mesh_3
