@@ -36,6 +36,9 @@ void write_lines_off(const std::string& file, const Extremal_mesh& mesh, double 
 /// Io_error
 void write_off(const std::string& file, const Cell_patches& patches, const Extremal_mesh& mesh);
 
+/// writes a text as a file that appears whole or not at all. \throws Io_error
+void write_text_file(const std::string& file, const std::string& text);
+
 /// writes a cell complex as OFF. \throws Io_error
 void write_off(const std::string& file, const Cell_complex& cells);
 

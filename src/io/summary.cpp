@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Extremal_mesh_3/summary.h>
+
+#include <nlohmann/json.hpp>
+
+namespace CGAL::Extremal_mesh_3 {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename Enum, std::size_t n> Json by_name(const std::array<std::size_t, n>& counts, std::size_t first = 0) {
+  Json object = Json::object();
+  for (std::size_t i = first; i < n; ++i)
+    object[std::string(to_string(static_cast<Enum>(i)))] = counts[i];
+  return object;
+}
+
+Json json_of(const Extraction_report& report) {
+  return {{"surface_points", report.surface_points},     {"surface_cells", report.surface_cells},
+          {"refined_cells", report.refined_cells},       {"accepted_cells", report.accepted_cells},
+          {"uncertain_cells", report.uncertain_cells},   {"interpolated_points", report.interpolated_points},
+          {"degenerate_cells", report.degenerate_cells}, {"rounds", report.rounds}};
+}
+
+/// the parameters as the object they should be, or as they are.
+Json parameters_of(const std::string& text) {
+  Json parameters = Json::parse(text, nullptr, false);
+  return parameters.is_discarded() ? Json(text) : parameters;
+}
+
+} // namespace
+
+Summary summarize(const Extremal_mesh& mesh) {
+  Summary summary;
+  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
+    const Extremal_mesh_vertex& vertex = mesh.vertex(v);
+    ++summary.vertices[static_cast<std::size_t>(vertex.kind)];
+    if (vertex.kind != Vertex_kind::umbilic)
+      continue;
+    ++summary.umbilics[static_cast<std::size_t>(vertex.umbilic_type)];
+    summary.one_ridge += vertex.ridges == 1;
+    summary.three_ridge += vertex.ridges == 3;
+    summary.umbilic_index_sum += vertex.umbilic_index;
+  }
+  for (std::size_t e = 0; e < mesh.number_of_edges(); ++e)
+    ++summary.edges[static_cast<std::size_t>(mesh.edge(e).type)];
+  for (const Extremal_mesh_cell& cell : mesh.cells()) {
+    std::size_t edges = 0;
+    for (const std::vector<Half_edge>& walk : cell.boundary)
+      edges += walk.size();
+    ++summary.cells_by_edges[edges];
+  }
+  return summary;
+}
+
+std::string to_json(const Extremal_mesh& mesh, const std::vector<Check>& checks, const Extraction_report* report) {
+  const Summary summary = summarize(mesh);
+  const Surface_info& surface = mesh.surface();
+  Json json;
+  json["vertices"] = by_name<Vertex_kind>(summary.vertices);
+  json["umbilics"] = by_name<Umbilic_type>(summary.umbilics, 1);
+  json["umbilics"]["one_ridge"] = summary.one_ridge;
+  json["umbilics"]["three_ridge"] = summary.three_ridge;
+  json["edges"] = mesh.number_of_edges();
+  json["edges_by_type"] = by_name<Line_type>(summary.edges);
+  json["cells"] = mesh.number_of_cells();
+  json["cells_by_edges"] = Json::object();
+  for (const auto& [edges, cells] : summary.cells_by_edges)
+    json["cells_by_edges"][std::to_string(edges)] = cells;
+  json["components"] = surface.components;
+  json["euler_characteristic"] = surface.euler_characteristic;
+  json["closed"] = surface.closed;
+  json["area"] = surface.area;
+  json["degenerate_area"] = surface.degenerate_area;
+  json["umbilic_index_sum"] = summary.umbilic_index_sum;
+  json["checks"] = Json::object();
+  json["details"] = Json::array();
+  for (const Check& check : checks) {
+    json["checks"][check.name] = !check.applies || check.holds;
+    json["details"].push_back({{"check", check.name},
+                               {"claim", check.claim},
+                               {"applies", check.applies},
+                               {"holds", check.holds},
+                               {"detail", check.detail}});
+  }
+  json["ok"] = all_hold(checks);
+  if (report)
+    json["report"] = json_of(*report);
+  json["source"] = surface.source;
+  json["frame"] = surface.frame;
+  json["parameters"] = parameters_of(surface.parameters);
+  // a file's name need not be UTF-8
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+} // namespace CGAL::Extremal_mesh_3
