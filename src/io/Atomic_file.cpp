@@ -94,4 +94,10 @@ void check_writable(const std::string& file) {
   const Atomic_file probe(file);
 }
 
+void write_text_file(const std::string& file, const std::string& text) {
+  Atomic_file out(file);
+  out.write(text);
+  out.commit();
+}
+
 } // namespace CGAL::Extremal_mesh_3

@@ -13,17 +13,19 @@ namespace CGAL::Extremal_mesh_3 {
 
 /// How a picture is taken. The projection is orthographic.
 struct Render_options {
-  int width = 1600, height = 1200;   ///< pixels
-  Vector view{-0.5, 0.75, -0.35};    ///< the direction of sight
-  Vector up{0, 0, 1};                ///< what points upwards in the picture, as far as it is not along `view`
-  double line_width = 2.5;           ///< pixels
-  double dot_radius = 5;             ///< pixels
-  double min_strength = 0;           ///< lines of less strength are drawn thinner and paler
+  int width = 1600, height = 1200; ///< pixels
+  Vector view{-0.5, 0.75, -0.35};  ///< the direction of sight
+  Vector up{0, 0, 1};              ///< what points upwards in the picture, as far as it is not along `view`
+  double line_width = 2.5;         ///< pixels
+  double dot_radius = 5;           ///< pixels
+  double min_strength = 0;         ///< lines of less strength are drawn thinner and paler
+  bool legend = true;              ///< tell what the colours mean, if there is room
+  int threads = 0;                 ///< 0: as many as there are cores. The picture does not depend on it.
 };
 
-/// draws surface (E_g > 0 and E_g < 0 in two tints), lines in the colours of Thirion's report (largest curvature orange, second blue, maxima
-/// lighter than minima), extremal points and umbilics as dots, and writes a PNG. Needs no display.
-/// \throws Io_error if the file cannot be written; std::invalid_argument if a size is not in 16 … 16384
+/// draws surface (E_g > 0 and E_g < 0 in two tints), lines in the colours of Thirion's report (largest curvature
+/// orange, second blue, maxima lighter than minima), extremal points and umbilics as dots, and writes a PNG. Needs no
+/// display. \throws Io_error if the file cannot be written; std::invalid_argument if a size is not in 16 … 16384
 void render_png(const std::string& file, const Extremal_mesh& mesh, const Cell_patches& patches,
                 const Render_options& options = {});
 

@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Outputs.h"
+
+#include "Progress_bar.h"
+
+#include <CGAL/Extremal_mesh_3/io.h>
+#include <CGAL/Extremal_mesh_3/summary.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+namespace CGAL::Extremal_mesh_3::tool {
+
+namespace {
+
+std::string lower_case_extension(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z')
+      c = char(c - 'A' + 'a');
+  return extension;
+}
+
+/// one number of "1600x1200".
+int pixels(std::string_view text, std::string_view size) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || number < 16 || number > 16384)
+    throw Usage_error(fmt::format("'{}' is not a size of a picture; give --size WIDTHxHEIGHT with numbers of pixels "
+                                  "from 16 to 16384",
+                                  size));
+  return number;
+}
+
+} // namespace
+
+Outputs::Outputs(const Extract_options& options) {
+  for (const std::string& file : options.outputs) {
+    const std::string extension = lower_case_extension(file);
+    if (extension == ".graphml")
+      add(Kind::graphml, file);
+    else if (extension == ".off")
+      add(Kind::cell_polygons, file);
+    else if (extension == ".png")
+      add(Kind::picture, file);
+    else
+      throw Usage_error(fmt::format("the extension of '{}' is not known; give -o a .graphml, an .off or a .png", file));
+  }
+  add(Kind::lines, options.lines);
+  add(Kind::patches, options.cells);
+  add(Kind::surface, options.surface);
+  add(Kind::report, options.report);
+
+  if (!options.size.empty()) {
+    const std::string_view size = options.size;
+    const std::size_t cross = std::min(size.find('x'), size.size() - 1);
+    render_.width = pixels(size.substr(0, cross), size);
+    render_.height = pixels(size.substr(cross + 1), size);
+  }
+  render_.threads = options.threads;
+  if (options.view != Vector{})
+    render_.view = options.view;
+}
+
+void Outputs::add(Kind kind, const std::string& file) {
+  if (file.empty())
+    return;
+  for (const Output& output : outputs_)
+    if (output.file == file)
+      throw Usage_error(fmt::format("two outputs are to be written to '{}'; give each its own file", file));
+  check_writable(file);
+  outputs_.push_back({kind, file});
+}
+
+bool Outputs::need_patches() const {
+  return std::any_of(outputs_.begin(), outputs_.end(),
+                     [](const Output& output) { return output.kind == Kind::picture || output.kind == Kind::patches; });
+}
+
+void Outputs::write(const Result& result) const {
+  for (const Output& output : outputs_) {
+    stop_if_interrupted();
+    write(output, result);
+  }
+}
+
+void Outputs::write(const Output& output, const Result& result) const {
+  const Extraction& extraction = result.extraction;
+  switch (output.kind) {
+  case Kind::graphml:
+    return write_graphml(output.file, extraction.mesh);
+  case Kind::cell_polygons:
+    return write_off(output.file, extraction.mesh);
+  case Kind::picture:
+    return render_png(output.file, extraction.mesh, extraction.patches, render_);
+  case Kind::lines:
+    return write_lines_off(output.file, extraction.mesh);
+  case Kind::patches:
+    return write_off(output.file, extraction.patches, extraction.mesh);
+  case Kind::surface:
+    return write_off(output.file, result.surface);
+  case Kind::report:
+    return write_text_file(output.file, to_json(extraction.mesh, result.checks, &extraction.report) + "\n");
+  }
+}
+
+} // namespace CGAL::Extremal_mesh_3::tool

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef EXTREMAL_MESH_3_SRC_TOOL_OUTPUTS_H
+#define EXTREMAL_MESH_3_SRC_TOOL_OUTPUTS_H
+
+#include "commands.h"
+
+#include <CGAL/Extremal_mesh_3/check.h>
+#include <CGAL/Extremal_mesh_3/extract_extremal_mesh.h>
+#include <CGAL/Extremal_mesh_3/render.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL::Extremal_mesh_3::tool {
+
+/// All that `extract` can write.
+struct Result {
+  Cell_complex surface;
+  Extraction extraction;
+  std::vector<Check> checks;
+};
+
+/// The files that `extract` was asked for.
+class Outputs {
+public:
+  /// \throws Usage_error for an unknown extension or two outputs in one file; Io_error if one cannot be written
+  explicit Outputs(const Extract_options& options);
+
+  bool need_patches() const;
+  /// \throws Io_error; Cancelled, between two files, if there was a Ctrl-C
+  void write(const Result& result) const;
+
+private:
+  enum class Kind { graphml, cell_polygons, picture, lines, patches, surface, report };
+  struct Output {
+    Kind kind;
+    std::string file;
+  };
+
+  void add(Kind kind, const std::string& file);
+  void write(const Output& output, const Result& result) const;
+
+  std::vector<Output> outputs_;
+  Render_options render_;
+};
+
+} // namespace CGAL::Extremal_mesh_3::tool
+
+#endif // EXTREMAL_MESH_3_SRC_TOOL_OUTPUTS_H

@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef EXTREMAL_MESH_3_SRC_TOOL_PROGRESS_BAR_H
+#define EXTREMAL_MESH_3_SRC_TOOL_PROGRESS_BAR_H
+
+#include <CGAL/Extremal_mesh_3/types.h>
+
+#include <chrono>
+#include <string>
+
+namespace CGAL::Extremal_mesh_3::tool {
+
+/// makes Ctrl-C ask for a stop instead of ending the program, so that no partial file is left.
+void catch_interrupts();
+
+/// \throws Cancelled if there was a Ctrl-C
+void stop_if_interrupted();
+
+/// A bar on standard error while something long runs, if that is a terminal. It is wiped away at the end.
+class Progress_bar {
+public:
+  Progress_bar(std::string what, bool quiet);
+  Progress_bar(const Progress_bar&) = delete;
+  Progress_bar& operator=(const Progress_bar&) = delete;
+  ~Progress_bar();
+
+  /// for the options of an algorithm; must not outlive the bar.
+  Progress progress();
+
+private:
+  bool show(double share);
+
+  std::string what_;
+  bool visible_;
+  bool drawn_ = false;
+  std::chrono::steady_clock::time_point next_;
+};
+
+} // namespace CGAL::Extremal_mesh_3::tool
+
+#endif // EXTREMAL_MESH_3_SRC_TOOL_PROGRESS_BAR_H

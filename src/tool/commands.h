@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef EXTREMAL_MESH_3_SRC_TOOL_COMMANDS_H
+#define EXTREMAL_MESH_3_SRC_TOOL_COMMANDS_H
+
+#include <CGAL/Extremal_mesh_3/types.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// The program's commands. Each gives the exit code, or throws: `Usage_error` and `std::invalid_argument` where the
+/// command line is wrong, what the library throws otherwise.
+namespace CGAL::Extremal_mesh_3::tool {
+
+enum Exit_code { success = 0, failure = 1, usage = 2, interrupted = 130 };
+
+/// A command line that makes no sense. The message is one sentence that tells what to do.
+class Usage_error : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+struct Extract_options {
+  std::string input; ///< an image; empty if there is a formula
+  std::optional<std::string> formula;
+  std::optional<std::array<double, 6>> box;
+  std::optional<std::size_t> resolution;
+  std::optional<double> iso, sigma;
+  std::vector<std::string> outputs; ///< what they are follows from their extensions
+  std::string lines, cells, surface, report;
+  Vector view{};    ///< zero: the renderer's own
+  std::string size; ///< "WIDTHxHEIGHT"; empty: the renderer's own
+  int threads = 0;
+  int max_level = 8;
+  bool quiet = false;
+};
+int extract(const Extract_options& options);
+
+struct Graph_options {
+  std::string file;
+  bool json = false;
+};
+int info(const Graph_options& options);
+int check(const Graph_options& options);
+
+} // namespace CGAL::Extremal_mesh_3::tool
+
+#endif // EXTREMAL_MESH_3_SRC_TOOL_COMMANDS_H
