@@ -381,7 +381,9 @@ TEST_F(Read_image, reports_singular_directions) {
   nifti.rows = {1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0};
   expect_error("c.nii", nifti.header() + voxels<short>(), "singular");
   nifti.rows[3] = std::numeric_limits<float>::quiet_NaN();
-  expect_error("d.nii", nifti.header() + voxels<short>(), "not finite");
+  expect_error("d.nii", nifti.header() + voxels<short>(), "orientation has the number nan");
+  nifti.rows[3] = std::numeric_limits<float>::denorm_min();
+  expect_error("e.nii", nifti.header() + voxels<short>(), "orientation has the number 1e-45");
 }
 
 TEST_F(Read_image, reports_what_is_not_a_3d_scalar_image) {
@@ -446,6 +448,7 @@ TEST_F(Read_image, says_what_it_does_not_support) {
                "several files");
   expect_error("c.mhd", meta_header("ElementDataFile = slice%03d.raw 1 7 1\n"), "several files");
   expect_error("d.mha", replaced(good_meta(), "BinaryData = True", "BinaryData = False"), "as text");
+  expect_error("d.mha", replaced(good_meta(), "BinaryData = True\n", ""), "as text");
   std::string nifti_2 = bytes(540) + good_nifti();
   expect_error("e.nii", nifti_2, "NIfTI-2");
 }

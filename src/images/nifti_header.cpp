@@ -87,11 +87,12 @@ void check_orientation(const Header& header) {
   const bool has_qform = header.get<std::int16_t>(252) > 0, has_sform = header.get<std::int16_t>(254) > 0;
   std::array<Vector, 3> columns; // of the sform
   for (std::size_t offset = 256; offset < 328; offset += 4) {
-    const auto number = static_cast<double>(header.get<float>(offset));
-    if (!std::isfinite(number) && (offset < 280 ? has_qform : has_sform)) // ITK would end the program
-      throw std::runtime_error("its orientation has a number that is not finite");
+    const auto number = header.get<float>(offset);
+    // ITK's matrices end the program at what is not finite, and print on the console at what is not a normal number.
+    if (number != 0 && !std::isnormal(number) && (offset < 280 ? has_qform : has_sform))
+      throw std::runtime_error(fmt::format("its orientation has the number {}", number));
     if (const std::size_t entry = (offset - 280) / 4; offset >= 280 && entry % 4 < 3)
-      columns[entry % 4][entry / 4] = number;
+      columns[entry % 4][entry / 4] = static_cast<double>(number);
   }
   // With no other orientation to fall back to, ITK would take the identity.
   if (has_sform && !has_qform && !inverse_of_columns(columns))

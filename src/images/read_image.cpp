@@ -241,7 +241,10 @@ Image read_image(const std::string& file) {
   } catch (const std::bad_alloc&) {
     throw Io_error(fmt::format("cannot read '{}': it is larger than memory", file));
   } catch (const std::exception& error) {
-    throw Io_error(fmt::format("cannot read '{}': {}", file, error.what()));
+    std::string message = error.what(); // may quote the file's header, with anything in it
+    std::replace_if(
+        message.begin(), message.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+    throw Io_error(fmt::format("cannot read '{}': {}", file, message));
   }
 }
 

@@ -164,9 +164,10 @@ Stored_voxels find_meta_voxels(const std::string& file) {
     if (fields.contains(key) && !are_numbers(fields[key], n, 0))
       throw std::runtime_error(fmt::format("its {} is '{}'; expected positive numbers", key, fields[key]));
   const auto is_true = [&](const char* key) {
-    return fields.contains(key) && lower_case(fields[key]).starts_with('t');
+    const std::string value = lower_case(fields[key]);
+    return value.starts_with('t') || value.starts_with('1');
   };
-  if (fields.contains("BinaryData") && !is_true("BinaryData"))
+  if (!is_true("BinaryData")) // text is what MetaIO takes for granted
     throw std::runtime_error("its voxels are stored as text, which is not supported for MetaImage");
 
   Stored_voxels stored;
