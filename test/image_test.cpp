@@ -382,6 +382,8 @@ TEST_F(Read_image, reports_singular_directions) {
   expect_error("c.nii", nifti.header() + voxels<short>(), "singular");
   nifti.rows[3] = std::numeric_limits<float>::quiet_NaN();
   expect_error("d.nii", nifti.header() + voxels<short>(), "orientation has the number nan");
+  nifti.rows[3] = 1e38F;
+  expect_error("d.nii", nifti.header() + voxels<short>(), "orientation has the number 1e+38");
   nifti.rows[3] = std::numeric_limits<float>::denorm_min();
   expect_error("e.nii", nifti.header() + voxels<short>(), "orientation has the number 1e-45");
 }

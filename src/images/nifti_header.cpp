@@ -88,8 +88,10 @@ void check_orientation(const Header& header) {
   std::array<Vector, 3> columns; // of the sform
   for (std::size_t offset = 256; offset < 328; offset += 4) {
     const auto number = header.get<float>(offset);
-    // ITK's matrices end the program at what is not finite, and print on the console at what is not a normal number.
-    if (number != 0 && !std::isnormal(number) && (offset < 280 ? has_qform : has_sform))
+    // ITK's matrices end the program at what is not finite, never end at what overflows a float when squared, and print
+    // on the console at what is not a normal number.
+    const bool is_usable = number == 0 || (std::isnormal(number) && std::abs(number) < 1e9F);
+    if (!is_usable && (offset < 280 ? has_qform : has_sform))
       throw std::runtime_error(fmt::format("its orientation has the number {}", number));
     if (const std::size_t entry = (offset - 280) / 4; offset >= 280 && entry % 4 < 3)
       columns[entry % 4][entry / 4] = static_cast<double>(number);
