@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Extremal_mesh_3 authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Installs what is missing, builds, and extracts the extremal meshes of the bundled head CT's bone and of an ellipsoid.
+#
+#   scripts/demo.sh [OUTPUT_FOLDER]       the default is ./demo_output
+#
+# EXTREMAL_MESH_3_BUILD_DIR names a build that exists already, to be used instead of build/release.
+set -euo pipefail
+output=$(realpath -m "${1:-demo_output}")
+cd "$(dirname "$0")/.."
+
+if [[ -n ${EXTREMAL_MESH_3_BUILD_DIR:-} ]]; then
+  tool=$(find "$EXTREMAL_MESH_3_BUILD_DIR" -name extremal_mesh -type f -perm -u+x -print -quit)
+else
+  source scripts/dependencies.sh
+  install_dependencies
+  build release
+  tool=build/release/src/tool/extremal_mesh
+fi
+mkdir -p "$output"
+
+extract() { # TITLE NAME ARGUMENT…
+  local title=$1 base=$output/$2
+  shift 2
+  printf '\n%s\n' "$title"
+  "$tool" extract "$@" -o "$base.graphml" -o "$base.png" -o "$base.off" --lines "$base.lines.off" \
+    --cells "$base.cells.off" --surface "$base.surface.off" --report "$base.report.json"
+  "$tool" check "$base.graphml"
+}
+
+extract "Bone in the CT of a head (data/headsq.nii.gz)" head data/headsq.nii.gz --iso 1150
+extract "Ellipsoid with semi-axes 3, 2, 1" ellipsoid --formula "x^2/9 + y^2/4 + z^2 = 1" --box -4 -3 -2 4 3 2
+
+printf '\nIn %s:\n' "$output"
+ls -l "$output" | awk 'NR > 1 { printf "%12d  %s\n", $5, $9 }'
+printf 'The pictures are %s and %s.\n' "$output/head.png" "$output/ellipsoid.png"
