@@ -6,21 +6,23 @@
 #define EXTREMAL_MESH_3_SRC_CELLS_PARALLEL_H
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
 
 namespace CGAL::Extremal_mesh_3 {
 
-/// Runs loops on a number of threads; 0 is one per core.
+/// Runs loops on a number of threads, but no more than there are cores: TBB prints a warning if it is asked for more. 0 is one
+/// per core.
 class Thread_pool {
 public:
   /// \throws std::invalid_argument if `threads` is negative
-  explicit Thread_pool(int threads)
-      : arena_(threads == 0 ? tbb::task_arena::automatic : checked(threads)) {}
+  explicit Thread_pool(int threads) : arena_(threads == 0 ? tbb::task_arena::automatic : checked(threads)) {}
 
   /// calls body(i) for i in [0, n), in any order. Element i may write only what is its own.
   template <class Body> void for_each(std::size_t n, std::size_t grain, const Body& body) {
@@ -38,7 +40,8 @@ private:
   static int checked(int threads) {
     if (threads < 0)
       throw std::invalid_argument("the number of threads is " + std::to_string(threads) + ", not 0 or more");
-    return threads;
+    using tbb::global_control;
+    return int(std::min(std::size_t(threads), global_control::active_value(global_control::max_allowed_parallelism)));
   }
   tbb::task_arena arena_;
 };

@@ -39,6 +39,10 @@ Atomic_file::Atomic_file(const std::string& file) : file_(file) {
   if (fs::is_symlink(fs::symlink_status(place, error)))
     place = fs::weakly_canonical(place, error);
   const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
+  // /dev/stdout is a link to wherever the output goes, which must not be replaced by another file
+  const std::string real_folder = fs::weakly_canonical(fs::path(file).parent_path(), error).string();
+  if (real_folder == "/dev" || real_folder.starts_with("/proc/"))
+    throw Io_error(fmt::format("cannot write '{}': it is not a regular file; give the name of one", file));
   if (!fs::is_directory(folder, error))
     throw Io_error(fmt::format("cannot write '{}': the folder '{}' does not exist", file, folder.string()));
   if (fs::is_directory(place, error))

@@ -31,8 +31,8 @@ Colour shade(const Vector& normal, const Colour& tint) {
   const bool behind = normal[2] < 0;
   const Vector n = length > 0 ? ((behind ? -1 : 1) / length) * normal : Vector{0, 0, 1};
   const double turned = 1 - n[2];
-  double light = 0.40 + 0.52 * std::max(0.0, dot(n, key)) + 0.16 * std::max(0.0, dot(n, fill));
-  light *= (1 - 0.35 * turned * turned * turned) * (behind ? 0.82 : 1);
+  double light = 0.60 + 0.38 * std::max(0.0, dot(n, key)) + 0.12 * std::max(0.0, dot(n, fill));
+  light *= (1 - 0.28 * turned * turned * turned) * (behind ? 0.82 : 1);
   Colour result;
   for (std::size_t i = 0; i < 3; ++i)
     result[i] = std::uint8_t(std::lround(std::min(255.0, light * tint[i])));

@@ -4,9 +4,10 @@
 
 #include "../io/colours.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
-#include <utility>
+#include <vector>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -57,22 +58,35 @@ std::vector<Entry> entries_for(const Extremal_mesh& mesh) {
   for (std::size_t e = 0; e < mesh.number_of_edges(); ++e)
     for (const Line_type type : mesh.edge(e).segment_types)
       lines[static_cast<std::size_t>(type)] = true;
+  std::array<bool, 5> kinds{};
+  std::array<bool, 4> umbilics{};
+  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
+    const Extremal_mesh_vertex& vertex = mesh.vertex(v);
+    if (vertex.kind == Vertex_kind::umbilic)
+      umbilics[static_cast<std::size_t>(vertex.umbilic_type)] = true;
+    else
+      kinds[static_cast<std::size_t>(vertex.kind)] = true;
+  }
+
   std::vector<Entry> entries;
   for (std::size_t i = 0; i < lines.size(); ++i)
     if (lines[i])
       entries.push_back({to_string(static_cast<Line_type>(i)), line_colour(static_cast<Line_type>(i)), true});
-  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
-    const Extremal_mesh_vertex& vertex = mesh.vertex(v);
-    if (vertex.kind == Vertex_kind::anchor)
-      continue;
-    const bool typed = vertex.kind == Vertex_kind::umbilic && vertex.umbilic_type != Umbilic_type::none;
-    const std::string_view text = typed ? to_string(vertex.umbilic_type) : to_string(vertex.kind);
-    bool known = false;
-    for (const Entry& entry : entries)
-      known = known || entry.text == text;
-    if (!known)
-      entries.push_back({text, vertex_colour(vertex), false});
-  }
+  const auto add_dot = [&](const Extremal_mesh_vertex& vertex, std::string_view text) {
+    entries.push_back({text, vertex_colour(vertex), false});
+  };
+  Extremal_mesh_vertex vertex;
+  vertex.kind = Vertex_kind::umbilic;
+  for (std::size_t i = 0; i < umbilics.size(); ++i)
+    if (umbilics[i]) {
+      vertex.umbilic_type = static_cast<Umbilic_type>(i);
+      add_dot(vertex, i == 0 ? to_string(vertex.kind) : to_string(vertex.umbilic_type));
+    }
+  for (const Vertex_kind kind : {Vertex_kind::extremal_point, Vertex_kind::non_generic, Vertex_kind::boundary})
+    if (kinds[static_cast<std::size_t>(kind)]) {
+      vertex.kind = kind;
+      add_dot(vertex, to_string(kind));
+    }
   return entries;
 }
 
