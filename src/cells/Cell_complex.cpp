@@ -19,7 +19,8 @@ struct Side {
   std::size_t position;    // in the list of corners
 };
 
-void check_polygons(std::size_t points, const std::vector<std::size_t>& begin, const std::vector<std::uint32_t>& corners) {
+void check_polygons(std::size_t points, const std::vector<std::size_t>& begin,
+                    const std::vector<std::uint32_t>& corners) {
   if (begin.empty() || begin.front() != 0 || begin.back() != corners.size())
     throw std::invalid_argument("polygon_begin must start with 0 and end with the number of corners");
   if (corners.size() > std::numeric_limits<std::uint32_t>::max() / 4)
@@ -34,8 +35,8 @@ void check_polygons(std::size_t points, const std::vector<std::size_t>& begin, c
       throw std::invalid_argument(
           fmt::format("polygon {} names point {}, but there are {} points", i, sorted.back(), points));
     if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-      throw std::invalid_argument(fmt::format("polygon {} meets point {} twice", i,
-                                              *std::adjacent_find(sorted.begin(), sorted.end())));
+      throw std::invalid_argument(
+          fmt::format("polygon {} meets point {} twice", i, *std::adjacent_find(sorted.begin(), sorted.end())));
   }
 }
 

@@ -1,12 +1,13 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The polygonal cells of an implicit surface on a lattice: the "weaving" of polygons in marching cubes, without its tables. In
-// each face of a cube the cut edges are joined by segments with the + side on their left (seen from outside the cube); the
-// segments of the six faces close up to polygons. A face is decided by itself, so both its cubes see the same segments.
-#include "surface_points.h"
-
-#include "../cells/parallel.h"
+// The polygonal cells of an implicit surface on a lattice: the "weaving" of polygons in marching cubes, without its
+// tables. In each face of a cube the cut edges are joined by segments with the + side on their left (seen from outside
+// the cube); the segments of the six faces close up to polygons. A face is decided by itself, so both its cubes see the
+// same segments.
+#include "cube.h"
+#include "parallel.h"
+#include "refine_folds.h"
 
 #include <CGAL/Extremal_mesh_3/extract_extremal_mesh.h>
 
@@ -21,14 +22,6 @@ namespace CGAL::Extremal_mesh_3 {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
-// Corner c of a cube lies at offset (c & 1, c >> 1 & 1, c >> 2 & 1). An edge is given by its two corners; 12 of them.
-constexpr std::array<std::array<int, 2>, 12> edge_corners{{{0, 1}, {2, 3}, {4, 5}, {6, 7}, // along x
-                                                           {0, 2}, {1, 3}, {4, 6}, {5, 7}, // along y
-                                                           {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
-// The corners of the faces, counter-clockwise seen from outside (in a right-handed lattice).
-constexpr std::array<std::array<int, 4>, 6> face_corners{
-    {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 
 constexpr int edge_between(int a, int b) {
   for (int e = 0; e < 12; ++e)
@@ -48,10 +41,7 @@ public:
       slice->y.assign(nx_ * ny_, none);
     }
     z_.assign(nx_ * ny_, none);
-    const auto& s = lattice.step;
-    left_handed_ = s[0][0] * (s[1][1] * s[2][2] - s[1][2] * s[2][1]) - s[0][1] * (s[1][0] * s[2][2] - s[1][2] * s[2][0]) +
-                       s[0][2] * (s[1][0] * s[2][1] - s[1][1] * s[2][0]) <
-                   0;
+    left_handed_ = is_left_handed(lattice);
   }
 
   /// makes the polygons between slices k and k + 1, given the values on both.
@@ -78,9 +68,7 @@ public:
     std::fill(z_.begin(), z_.end(), none);
   }
 
-  std::vector<Cut_edge> cut_edges;
-  std::vector<std::size_t> polygon_begin{0};
-  std::vector<std::uint32_t> corners;
+  Woven_cells woven;
 
 private:
   struct Slice {
@@ -102,14 +90,16 @@ private:
     for (int e = 0; e < 12; ++e) {
       if (next[std::size_t(e)] < 0 || used[std::size_t(e)])
         continue;
-      const std::size_t first = corners.size();
+      const std::size_t first = woven.corners.size();
       for (int g = e; !used[std::size_t(g)]; g = next[std::size_t(g)]) {
         used[std::size_t(g)] = true;
-        corners.push_back(point_on(g, i, j, value));
+        woven.corners.push_back(point_on(g, i, j, value));
       }
       if (left_handed_)
-        std::reverse(corners.begin() + std::ptrdiff_t(first), corners.end());
-      polygon_begin.push_back(corners.size());
+        std::reverse(woven.corners.begin() + std::ptrdiff_t(first), woven.corners.end());
+      woven.polygon_begin.push_back(woven.corners.size());
+      woven.cubes.push_back(
+          {{std::int64_t(i) * Octree::unit, std::int64_t(j) * Octree::unit, std::int64_t(k_) * Octree::unit}, 0});
     }
   }
 
@@ -139,25 +129,19 @@ private:
     }
   }
 
-  /// decides an ambiguous face by the sign of the function itself at the saddle of its bilinear interpolant.
   bool plus_corners_joined(const std::array<int, 4>& face, const std::array<double, 8>& value, std::size_t i,
                            std::size_t j) const {
     // In an order that does not depend on the cube from which the face is seen.
     std::array<int, 4> c = face;
     std::sort(c.begin(), c.end());
-    const double v00 = value[std::size_t(c[0])], v10 = value[std::size_t(c[1])], v01 = value[std::size_t(c[2])],
-                 v11 = value[std::size_t(c[3])];
-    const double sum = (v00 - v10) + (v11 - v01);
-    const double s = (v00 - v01) / sum, t = (v00 - v10) / sum;
-    std::array<double, 3> at;
-    const std::array<std::size_t, 3> base{i, j, k_};
-    for (unsigned a = 0; a < 3; ++a) {
-      const int bit = 1 << a;
-      const double along_s = (c[1] & bit) != (c[0] & bit) ? s : 0, along_t = (c[2] & bit) != (c[0] & bit) ? t : 0;
-      at[a] = double(base[a] + ((c[0] & bit) != 0)) + along_s + along_t;
-    }
-    const double middle = f_.value(lattice_.node(at[0], at[1], at[2]));
-    return std::isfinite(middle) ? middle >= 0 : v00 * v11 - v10 * v01 >= 0;
+    const auto offset = [](int corner) {
+      return std::array<double, 3>{double(corner & 1), double(corner >> 1 & 1), double(corner >> 2 & 1)};
+    };
+    const auto first = offset(c[0]);
+    return CGAL::Extremal_mesh_3::plus_corners_joined(
+        f_, lattice_,
+        {value[std::size_t(c[0])], value[std::size_t(c[1])], value[std::size_t(c[2])], value[std::size_t(c[3])]},
+        {double(i) + first[0], double(j) + first[1], double(k_) + first[2]}, offset(c[1] - c[0]), offset(c[2] - c[0]));
   }
 
   std::uint32_t point_on(int edge, std::size_t i, std::size_t j, const std::array<double, 8>& value) {
@@ -167,8 +151,12 @@ private:
     Slice& slice = a >> 2 ? high_ : low_;
     std::uint32_t& id = (axis == 0 ? slice.x : axis == 1 ? slice.y : z_)[ia + nx_ * ja];
     if (id == none) {
-      id = std::uint32_t(cut_edges.size());
-      cut_edges.push_back({{ia, ja, k_ + std::size_t(a >> 2)}, axis, value[std::size_t(a)], value[std::size_t(b)]});
+      id = std::uint32_t(woven.cuts.size());
+      woven.cuts.push_back({{double(ia), double(ja), double(k_ + std::size_t(a >> 2))},
+                            axis,
+                            1,
+                            value[std::size_t(a)],
+                            value[std::size_t(b)]});
     }
     return id;
   }
@@ -197,19 +185,23 @@ Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, co
   Slab_walker walker(f, lattice);
   for (std::size_t first = 0; first < slices; first += block) {
     const std::size_t count = std::min(block, slices - first);
-    pool.for_each(count, 1, [&](std::size_t s) { f.lattice_values(lattice, first + s, values.data() + (s + 1) * nodes); });
+    pool.for_each(count, 1,
+                  [&](std::size_t s) { f.lattice_values(lattice, first + s, values.data() + (s + 1) * nodes); });
     for (std::size_t s = first == 0 ? 1 : 0; s < count; ++s)
       walker.walk(first + s - 1, values.data() + s * nodes, values.data() + (s + 1) * nodes);
     std::copy_n(values.begin() + std::ptrdiff_t(count * nodes), nodes, values.begin());
     if (options.progress && !options.progress(double(first + count) / double(slices)))
       throw Cancelled();
   }
-  if (walker.polygon_begin.size() == 1)
+  Woven_cells& woven = walker.woven;
+  if (woven.cubes.empty())
     throw Extraction_error("the function has no zero surface in the box");
 
-  std::vector<Point> points(walker.cut_edges.size());
-  pool.for_each(points.size(), 256, [&](std::size_t p) { points[p] = surface_point(f, lattice, walker.cut_edges[p]); });
-  return make_cell_complex(std::move(points), walker.polygon_begin, walker.corners);
+  woven.points.resize(woven.cuts.size());
+  pool.for_each(woven.points.size(), 256,
+                [&](std::size_t p) { woven.points[p] = surface_point(f, lattice, woven.cuts[p]); });
+  refine_folds(f, lattice, woven, pool);
+  return make_cell_complex(std::move(woven.points), woven.polygon_begin, woven.corners);
 }
 
 } // namespace CGAL::Extremal_mesh_3

@@ -60,8 +60,8 @@ std::optional<Point> project(const Function_3& f, const Point& x, const Vector& 
 Point surface_point(const Function_3& f, const Lattice& lattice, const Cut_edge& edge) {
   // Nearer to a node than this part of the lattice edge, the cells around the node would become slivers.
   constexpr double margin = 0.02;
-  const Point p = lattice.node(double(edge.node[0]), double(edge.node[1]), double(edge.node[2]));
-  const Vector& step = lattice.step[edge.axis];
+  const Point p = lattice.node(edge.node[0], edge.node[1], edge.node[2]);
+  const Vector step = edge.length * lattice.step[edge.axis];
   const double t = root_on_edge(f, p, step, edge.value0, edge.value1);
   const double moved = std::clamp(t, margin, 1 - margin);
   if (moved != t) {

@@ -11,15 +11,17 @@
 
 namespace CGAL::Extremal_mesh_3 {
 
-/// A lattice edge at whose ends the function has different signs.
+/// An edge of a cube at whose ends the function has different signs.
 struct Cut_edge {
-  std::array<std::size_t, 3> node; ///< the end with the smaller indices
+  std::array<double, 3> node; ///< the end with the smaller coordinates, in steps of the lattice
   std::size_t axis;
+  double length;         ///< in steps of the lattice
   double value0, value1; ///< at the two ends
 };
 
 /// a point of the surface on the edge, found on the function itself. Where it is very near to a node, a
-/// neighbouring point of the surface is taken instead: cells must not shrink to a point where the surface goes through a node.
+/// neighbouring point of the surface is taken instead: cells must not shrink to a point where the surface goes through
+/// a node.
 Point surface_point(const Function_3& f, const Lattice& lattice, const Cut_edge& edge);
 
 /// the point x + s·direction of the surface that is nearest to x.

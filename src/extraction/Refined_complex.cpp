@@ -50,6 +50,9 @@ Refined_complex::Refined_complex(const Surface& surface, const Cell_complex& cel
       if (cells.edge_cells[e][side] != Cell_complex::no_cell)
         edges_[e].cell[side] = std::uint32_t(cells.edge_cells[e][side]);
   }
+  closed_ = std::none_of(edges_.begin(), edges_.end(),
+                         [](const Refined_edge& e) { return e.cell[0] == no_id || e.cell[1] == no_id; });
+  euler_characteristic_ = int(cells.euler_characteristic());
   for (std::size_t c = 0; c < cells_.size(); ++c)
     cells_[c].sides.assign(cells.half_edges.begin() + std::ptrdiff_t(cells.cell_begin[c]),
                            cells.half_edges.begin() + std::ptrdiff_t(cells.cell_begin[c + 1]));
@@ -85,11 +88,12 @@ void Refined_complex::own(Half_edge h, std::uint32_t cell) {
   }
 }
 
-void Refined_complex::measure(Refined_edge& edge) const {
+void Refined_complex::measure(std::uint32_t id) {
+  Refined_edge& edge = edges_[id];
   const Sample &a = samples_[edge.a], &b = samples_[edge.b];
-  const Moved_fields moved = moved_to(a, b);
-  edge.turn_P = std::arg(b.P * std::conj(moved.P));
-  edge.turn_Q = std::arg(b.shape.Q * std::conj(moved.Q));
+  const Complex z = folds_.transport(*this, 2 * id);
+  edge.turn_P = std::arg(b.P * std::conj(a.P) * z);
+  edge.turn_Q = std::arg(b.shape.Q * std::conj(a.shape.Q * z * z));
   edge.winding = std::int32_t(std::lround((2 * edge.turn_P + edge.turn_Q - (b.phase - a.phase)) / (2 * pi)));
   edge.wanted = should_divide(edge);
 }
@@ -111,7 +115,7 @@ void Refined_complex::settle_edges(std::size_t first) {
   Thread_pool pool(options_.threads);
   std::vector<std::uint32_t> ids;
   while (first < edges_.size()) {
-    pool.for_each(edges_.size() - first, 256, [&](std::size_t i) { measure(edges_[first + i]); });
+    pool.for_each(edges_.size() - first, 256, [&](std::size_t i) { measure(std::uint32_t(first + i)); });
     ids.clear();
     for (std::size_t e = first; e < edges_.size(); ++e)
       if (edges_[e].wanted)
@@ -187,15 +191,33 @@ void Refined_complex::divide_cells(const std::vector<std::uint32_t>& ids) {
   settle_edges(first_edge);
 }
 
-void Refined_complex::refine() {
+void Refined_complex::analyse(const std::vector<std::uint32_t>& cells, bool may_divide) {
   Thread_pool pool(options_.threads);
+  std::vector<Cell_analysis> found(cells.size());
+  pool.for_each(cells.size(), 32, [&](std::size_t i) {
+    const Refined_cell& cell = cells_[cells[i]];
+    found[i] = analyse_cell(*this, cell, may_divide && cell.level < options_.max_level);
+  });
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    Refined_cell& cell = cells_[cells[i]];
+    cell.content = found[i].content;
+    cell.certain = found[i].certain;
+    cell.winding_P = std::int8_t(std::clamp(found[i].winding_P, -100, 100));
+    cell.winding_Q = std::int8_t(std::clamp(found[i].winding_Q, -100, 100));
+    if (found[i].sample) {
+      cell.center = std::uint32_t(samples_.size());
+      samples_.push_back(*found[i].sample);
+    }
+  }
+}
+
+void Refined_complex::refine() {
   settle_edges(0);
   touched_.resize(cells_.size());
   for (std::size_t c = 0; c < cells_.size(); ++c)
     touched_[c] = std::uint32_t(c);
 
   std::vector<std::uint32_t> active, divide;
-  std::vector<Cell_analysis> found;
   while (!touched_.empty()) {
     std::sort(touched_.begin(), touched_.end());
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
@@ -203,31 +225,17 @@ void Refined_complex::refine() {
     std::copy_if(touched_.begin(), touched_.end(), std::back_inserter(active),
                  [&](std::uint32_t c) { return !cells_[c].divided; });
     touched_.clear();
-
-    found.assign(active.size(), {});
-    pool.for_each(active.size(), 32, [&](std::size_t i) {
-      const Refined_cell& cell = cells_[active[i]];
-      found[i] = analyse_cell(*this, cell, cell.level < options_.max_level);
-    });
+    analyse(active, true);
     divide.clear();
-    for (std::size_t i = 0; i < active.size(); ++i) {
-      Refined_cell& cell = cells_[active[i]];
-      cell.content = found[i].content;
-      cell.certain = found[i].certain;
-      cell.winding_P = std::int8_t(std::clamp(found[i].winding_P, -100, 100));
-      cell.winding_Q = std::int8_t(std::clamp(found[i].winding_Q, -100, 100));
-      if (found[i].sample) {
-        cell.center = std::uint32_t(samples_.size());
-        samples_.push_back(*found[i].sample);
-      }
-      if (cell.content == Content::undecided)
-        divide.push_back(active[i]);
-    }
+    std::copy_if(active.begin(), active.end(), std::back_inserter(divide),
+                 [&](std::uint32_t c) { return cells_[c].content == Content::undecided; });
     if (options_.progress && !options_.progress(1 - double(divide.size()) / double(cells_.size())))
       throw Cancelled();
     report_.rounds += !divide.empty();
     divide_cells(divide);
   }
+  settle_folds();
+
   for (const Refined_cell& cell : cells_)
     if (!cell.divided) {
       ++report_.refined_cells;
@@ -235,6 +243,27 @@ void Refined_complex::refine() {
     }
   for (const Sample& s : samples_)
     report_.interpolated_points += !s.exact;
+}
+
+void Refined_complex::settle_folds() {
+  int sum = 0;
+  for (const Refined_cell& cell : cells_)
+    sum += cell.divided ? 0 : cell.winding_Q;
+  if (!closed_ || sum == 2 * euler_characteristic_)
+    return;
+  const std::vector<char> folded = folds_.find(*this);
+  std::vector<std::uint32_t> cells;
+  for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+    if (edges_[e].divided() || (!folded[edges_[e].a] && !folded[edges_[e].b]))
+      continue;
+    measure(e);
+    for (const std::uint32_t c : edges_[e].cell)
+      if (c != no_id)
+        cells.push_back(c);
+  }
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  analyse(cells, false);
 }
 
 } // namespace CGAL::Extremal_mesh_3

@@ -5,6 +5,7 @@
 #ifndef EXTREMAL_MESH_3_SRC_EXTRACTION_REFINED_COMPLEX_H
 #define EXTREMAL_MESH_3_SRC_EXTRACTION_REFINED_COMPLEX_H
 
+#include "Folds.h"
 #include "Sample.h"
 
 #include <CGAL/Extremal_mesh_3/Cell_complex.h>
@@ -69,15 +70,19 @@ public:
   void border(const Refined_cell& cell, std::vector<Half_edge>& half_edges) const;
   std::uint32_t source(Half_edge h) const { return h % 2 == 0 ? edges_[h / 2].a : edges_[h / 2].b; }
   std::uint32_t target(Half_edge h) const { return source(h ^ 1U); }
+  /// the angle by which parallel transport turns around the border of a cell.
+  double holonomy(const std::vector<Half_edge>& border) const { return folds_.holonomy(*this, border); }
   /// the cell on the left of an undivided half-edge, or `no_id`.
   std::uint32_t cell_of(Half_edge h) const { return edges_[h / 2].cell[h % 2]; }
 
 private:
-  void measure(Refined_edge& edge) const;
+  void measure(std::uint32_t edge);
   bool should_divide(const Refined_edge& edge) const;
   void settle_edges(std::size_t first);
   void divide_edges(const std::vector<std::uint32_t>& ids);
   void divide_cells(const std::vector<std::uint32_t>& ids);
+  void analyse(const std::vector<std::uint32_t>& cells, bool may_divide);
+  void settle_folds();
   void own(Half_edge h, std::uint32_t cell);
   void append(Half_edge h, std::vector<Half_edge>& half_edges) const;
   Half_edge half(Half_edge h, int which) const;
@@ -87,6 +92,9 @@ private:
   std::vector<Sample> samples_;
   std::vector<Refined_edge> edges_;
   std::vector<Refined_cell> cells_;
+  Folds folds_;
+  bool closed_ = true;
+  int euler_characteristic_ = 0;
   std::vector<std::uint32_t> touched_; ///< cells to be looked at again, as edges around them were divided
   Extraction_report report_;
 };

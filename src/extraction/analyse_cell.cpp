@@ -30,18 +30,6 @@ constexpr double gradient_error = 3.0;
 /// Cells narrower than this get additional samples around their middle.
 constexpr double least_aspect = 0.3;
 
-/// the signed area on the unit sphere of the polygon of normals along the border.
-double spherical_area(const Refined_complex& complex, const std::vector<Half_edge>& border) {
-  const auto& samples = complex.samples();
-  const Vector& a = samples[complex.source(border[0])].shape.n;
-  double area = 0;
-  for (std::size_t i = 1; i + 1 < border.size(); ++i) {
-    const Vector &b = samples[complex.source(border[i])].shape.n, &c = samples[complex.source(border[i + 1])].shape.n;
-    area += 2 * std::atan2(dot(a, cross(b, c)), 1 + dot(a, b) + dot(b, c) + dot(c, a));
-  }
-  return area;
-}
-
 /// What is known of a field in a cell.
 struct Field_state {
   Linear_fit<Complex> fit;
@@ -203,9 +191,10 @@ bool plainly_empty(const Refined_complex& complex, const std::vector<Half_edge>&
   return turn < 1.5 && gap > 0.3;
 }
 
-bool families_alternate(const std::vector<Border_crossing>& c) {
+/// tells whether each crossing has another family than the one that stands `offset` places on.
+bool families_differ(const std::vector<Border_crossing>& c, std::size_t offset) {
   for (std::size_t i = 0; i < c.size(); ++i)
-    if (c[i].family() == c[(i + 1) % c.size()].family())
+    if (c[i].family() == c[(i + offset) % c.size()].family())
       return false;
   return true;
 }
@@ -262,7 +251,7 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
   double turn_Q = 0;
   for (const Half_edge h : border)
     turn_Q += h % 2 == 0 ? complex.edges()[h / 2].turn_Q : -complex.edges()[h / 2].turn_Q;
-  result.winding_Q = int(std::lround((turn_Q + 2 * spherical_area(complex, border)) / (2 * pi)));
+  result.winding_Q = int(std::lround((turn_Q + 2 * complex.holonomy(border)) / (2 * pi)));
   result.winding_P = (met.winding_phi - result.winding_Q) / 2;
   const int wP = result.winding_P, wQ = result.winding_Q;
 
@@ -290,17 +279,19 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
     return result;
   }
   if (known && std::abs(wP) == 1 && wQ == 0 && P.simple && Q.nonzero && met.crossings.size() == 4 &&
-      families_alternate(met.crossings))
+      families_differ(met.crossings, 1))
     if (const auto at = locate_zero(complex.surface(), Field::P, middle, size, 2 * size))
       return accept(Content::extremal_point, *at);
   if (known && std::abs(wP) == 1 && std::abs(wQ) == 1 && P.simple && Q.simple)
     if (const auto at = locate_zero(complex.surface(), Field::Q, middle, size, 2 * size)) {
       const Umbilic_class c = classify_umbilic(at->shape.A1, at->shape.A3);
-      if (2 * c.index == wQ && c.field_index == -wP && met.crossings.size() == std::size_t(2 * c.ridges))
+      if (2 * c.index == wQ && c.field_index == -wP && met.crossings.size() == std::size_t(2 * c.ridges) &&
+          families_differ(met.crossings, met.crossings.size() / 2))
         return accept(Content::umbilic, *at);
     }
 
-  if (may_divide) {
+  // Where the surface cannot be reached there is nothing to be found out by dividing.
+  if (may_divide && middle.exact) {
     double P_around = 0, Q_around = 0;
     for (std::size_t i = 0; i < flat.border; ++i) {
       P_around = std::max(P_around, std::abs(flat.P[i]));

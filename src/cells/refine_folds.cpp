@@ -1,0 +1,222 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "refine_folds.h"
+
+#include "../differential/vector.h"
+#include "Octree_weaver.h"
+
+#include <CGAL/Extremal_mesh_3/Cell_complex.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace CGAL::Extremal_mesh_3 {
+
+namespace {
+
+/// Normals around a polygon may differ from their mean by so much (cos 75°)…
+constexpr double least_normal_cosine = 0.26;
+/// … the polygon's own normal by so much (cos 75°), unless it is a sliver …
+constexpr double least_facing_cosine = 0.26;
+/// … and only if they differ by more than this (cos 45°) is its middle looked at.
+constexpr double plain_normal_cosine = 0.7;
+
+class Folds {
+public:
+  Folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool)
+      : f_(f), lattice_(lattice), coarse_(cells), pool_(pool), tree_(lattice.size) {}
+
+  void refine() {
+    current_ = coarse_;
+    add_normals();
+    for (int round = 0; round < Octree::levels; ++round) {
+      const std::vector<Grid_cube> folded = folded_cubes();
+      if (folded.empty() || !divide(folded, round == 0))
+        break;
+      weave();
+      add_normals();
+    }
+    if (tree_.divided_cubes().empty())
+      return;
+    drop_unused_points();
+    coarse_ = std::move(current_);
+  }
+
+private:
+  void add_normals() {
+    const std::size_t first = normals_.size();
+    normals_.resize(current_.points.size());
+    pool_.for_each(normals_.size() - first, 128, [&](std::size_t i) {
+      Derivatives d;
+      f_.derivatives(current_.points[first + i], 1, d);
+      normals_[first + i] = (1 / norm(d.gradient)) * d.gradient;
+    });
+  }
+
+  bool is_folded(std::size_t polygon) const {
+    const std::size_t begin = current_.polygon_begin[polygon], end = current_.polygon_begin[polygon + 1];
+    const double share = 1 / double(end - begin);
+    Point middle{};
+    Vector n{}, area{};
+    for (std::size_t i = begin; i < end; ++i) {
+      middle = middle + share * current_.points[current_.corners[i]];
+      n = n + share * normals_[current_.corners[i]];
+    }
+    const double length = norm(n);
+    if (!(length > least_normal_cosine))
+      return true;
+    double worst = 1, radius = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Point& p = current_.points[current_.corners[i]];
+      const Point& q = current_.points[current_.corners[i + 1 < end ? i + 1 : begin]];
+      worst = std::min(worst, dot(normals_[current_.corners[i]], n) / length);
+      radius = std::max(radius, distance(p, middle));
+      area = area + 0.5 * cross(p - middle, q - middle);
+    }
+    if (worst > plain_normal_cosine)
+      return false;
+    constexpr double sliver = 0.05; // of the square of the radius: its own normal means nothing
+    return worst < least_normal_cosine ||
+           (norm(area) > sliver * radius * radius && dot(area, n) < least_facing_cosine * norm(area) * length) ||
+           !project(f_, middle, (1 / length) * n, radius);
+  }
+
+  std::vector<Grid_cube> folded_cubes() {
+    std::vector<char> folded(current_.cubes.size());
+    pool_.for_each(folded.size(), 128, [&](std::size_t i) { folded[i] = is_folded(i); });
+    std::vector<Grid_cube> cubes;
+    for (std::size_t i = 0; i < folded.size(); ++i)
+      if (folded[i] && current_.cubes[i].level < Octree::levels)
+        cubes.push_back(current_.cubes[i]);
+    return cubes;
+  }
+
+  /// divides cubes, at first twice, and those that share a face with them. \return whether anything changed
+  bool divide(const std::vector<Grid_cube>& cubes, bool twice) {
+    const std::size_t before = tree_.divided_cubes().size();
+    for (const Grid_cube& c : cubes) {
+      for (std::size_t a = 0; a < 3; ++a)
+        for (const std::int64_t by : {-Octree::side(c.level), std::int64_t(0), Octree::side(c.level)}) {
+          Grid_cube n = c;
+          n.base[a] += by;
+          tree_.divide(n);
+        }
+      if (twice)
+        for (unsigned k = 0; k < 8; ++k)
+          tree_.divide(Octree::child(c, k));
+    }
+    return tree_.divided_cubes().size() != before;
+  }
+
+  /// the cubes of the lattice that are divided or touch a divided one.
+  std::set<Grid_cube> cubes_to_weave() const {
+    std::set<Grid_cube> result;
+    for (const Grid_cube& c : tree_.divided_cubes())
+      if (c.level == 0)
+        for (const Grid_cube& n : tree_.around(c))
+          result.insert(n);
+    return result;
+  }
+
+  void weave() {
+    const std::set<Grid_cube> cubes = cubes_to_weave();
+    Octree_weaver weaver(f_, lattice_, tree_);
+    give_values(cubes, weaver);
+    for (std::uint32_t p = 0; p < coarse_.cuts.size(); ++p) {
+      const Cut_edge& cut = coarse_.cuts[p];
+      Grid_point base;
+      for (std::size_t a = 0; a < 3; ++a)
+        base[a] = std::int64_t(cut.node[a]) * Octree::unit;
+      if (cubes.count({base, 0}) || touches(cubes, base, cut.axis))
+        weaver.set_point(base, cut.axis, p);
+    }
+    weaver.set_first_new_point(std::uint32_t(coarse_.points.size()));
+    for (const Grid_cube& c : cubes)
+      weaver.weave(c);
+
+    current_ = {};
+    current_.points = coarse_.points;
+    normals_.resize(coarse_.points.size());
+    for (std::size_t i = 0; i < coarse_.cubes.size(); ++i) {
+      if (cubes.count(coarse_.cubes[i]))
+        continue;
+      current_.corners.insert(current_.corners.end(),
+                              coarse_.corners.begin() + std::ptrdiff_t(coarse_.polygon_begin[i]),
+                              coarse_.corners.begin() + std::ptrdiff_t(coarse_.polygon_begin[i + 1]));
+      current_.polygon_begin.push_back(current_.corners.size());
+      current_.cubes.push_back(coarse_.cubes[i]);
+    }
+    const std::size_t offset = current_.corners.size();
+    current_.corners.insert(current_.corners.end(), weaver.corners.begin(), weaver.corners.end());
+    for (std::size_t i = 0; i < weaver.polygon_cubes.size(); ++i)
+      current_.polygon_begin.push_back(offset + weaver.polygon_begin[i + 1]);
+    current_.cubes.insert(current_.cubes.end(), weaver.polygon_cubes.begin(), weaver.polygon_cubes.end());
+    const std::size_t first = coarse_.points.size();
+    current_.points.resize(first + weaver.new_cut_edges.size());
+    pool_.for_each(weaver.new_cut_edges.size(), 64, [&](std::size_t i) {
+      current_.points[first + i] = surface_point(f_, lattice_, weaver.new_cut_edges[i]);
+    });
+  }
+
+  static bool touches(const std::set<Grid_cube>& cubes, const Grid_point& base, std::size_t axis) {
+    for (int i = 1; i < 4; ++i) {
+      Grid_cube c{base, 0};
+      c.base[(axis + 1) % 3] -= i & 1 ? Octree::unit : 0;
+      c.base[(axis + 2) % 3] -= i & 2 ? Octree::unit : 0;
+      if (cubes.count(c))
+        return true;
+    }
+    return false;
+  }
+
+  /// At the nodes of the lattice the weaver must see the values that the lattice was woven with.
+  void give_values(const std::set<Grid_cube>& cubes, Octree_weaver& weaver) const {
+    std::vector<Grid_point> nodes;
+    for (const Grid_cube& c : cubes)
+      for (unsigned k = 0; k < 8; ++k)
+        nodes.push_back({c.base[2] / Octree::unit + (k >> 2 & 1U), c.base[1] / Octree::unit + (k >> 1 & 1U),
+                         c.base[0] / Octree::unit + (k & 1U)}); // z first: sorted by slices
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    std::vector<double> slice(lattice_.size[0] * lattice_.size[1]);
+    std::int64_t k = -1;
+    for (const auto& [z, y, x] : nodes) {
+      if (z != k)
+        f_.lattice_values(lattice_, std::size_t(k = z), slice.data());
+      weaver.set_value({x * Octree::unit, y * Octree::unit, z * Octree::unit},
+                       slice[std::size_t(x) + lattice_.size[0] * std::size_t(y)]);
+    }
+  }
+
+  void drop_unused_points() {
+    std::vector<std::uint32_t> number(current_.points.size(), 0);
+    for (const std::uint32_t c : current_.corners)
+      number[c] = 1;
+    std::uint32_t kept = 0;
+    for (std::size_t p = 0; p < number.size(); ++p)
+      if (number[p]) {
+        current_.points[kept] = current_.points[p];
+        number[p] = kept++;
+      }
+    current_.points.resize(kept);
+    for (std::uint32_t& c : current_.corners)
+      c = number[c];
+  }
+
+  const Function_3& f_;
+  const Lattice& lattice_;
+  Woven_cells& coarse_;
+  Thread_pool& pool_;
+  Octree tree_;
+  Woven_cells current_;
+  std::vector<Vector> normals_; ///< of the points of current_
+};
+
+} // namespace
+
+void refine_folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool) {
+  Folds(f, lattice, cells, pool).refine();
+}
+
+} // namespace CGAL::Extremal_mesh_3
