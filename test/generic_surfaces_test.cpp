@@ -1,0 +1,211 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Algebraic surfaces without symmetry, with umbilics of one and of three ridges, of genus 0, 1 and 5. Their extremal
+// points and umbilics are found a second time by a search that shares no code with the extraction.
+#include <CGAL/Extremal_mesh_3/Formula.h>
+
+#include "dense_search.h"
+#include "graph_comparison.h"
+
+using namespace CGAL::Extremal_mesh_3;
+
+namespace {
+
+using graph_comparison::isomorphic;
+using graph_comparison::largest_distance;
+using graph_comparison::positions;
+using surfaces::Motion;
+using surfaces::Moved_function;
+
+struct Surface {
+  std::string name, formula;
+  double half_size;              ///< of a cube around the origin that holds the surface, and nothing else where f = 0
+  std::size_t search_resolution; ///< of the lattice that gives the starts of the dense search
+  int euler_characteristic;
+  surfaces::Counts counts;
+
+  surfaces::Box box(const Motion& motion) const {
+    const double h = half_size;
+    return surfaces::moved({{-h, -h, -h}, {h, h, h}}, motion);
+  }
+  friend std::ostream& operator<<(std::ostream& out, const Surface& s) { return out << s.name; }
+};
+
+// Every count is that of the dense search; edges and cells follow by the identities of MATHEMATICS 4.
+const std::vector<Surface> all_surfaces = {
+    {"egg", "x^2+2*y^2+4*z^2-1+0.15*x^3+0.1*y^3-0.2*x*y*z+0.1*x^2*z", 1.4, 50, 2, {6, 4, 0, 16, 8, 0, 2}},
+    {"potato",
+     "x^2+1.3*y^2+1.7*z^2+0.2*x^3+0.15*y^3-0.4*x*y*z+0.2*x^2*z+0.1*x*y^2-1",
+     1.4,
+     50,
+     2,
+     {8, 4, 0, 20, 10, 0, 2}},
+    {"cube",
+     "x^2+1.05*y^2+0.96*z^2+x^4+y^4+z^4+0.05*x*y*z+0.03*x^3-0.02*y^3+0.025*y^2*z+0.02*x*y-1",
+     1.1,
+     50,
+     2,
+     {42, 20, 8, 120, 60, 0, 2}},
+    {"torus",
+     "(x^2+y^2+z^2+0.84)^2-4*(x^2+y^2)+0.1*x^2+0.15*x*y*z+0.06*x^3+0.08*y*z^2+0.05*x*z+0.04*y^3",
+     1.8,
+     50,
+     0,
+     {22, 0, 0, 44, 22, 0, 0}},
+    {"tanglecube",
+     "x^4+y^4+z^4-5.03*x^2-4.98*y^2-5*z^2+11.8+0.06*x*y*z+0.04*x^3-0.03*y^3+0.05*x*z^2+0.04*x*y",
+     3.2,
+     100,
+     -8,
+     {144, 40, 16, 360, 168, 0, -8}}};
+
+class Generic_surfaces : public testing::TestWithParam<Surface> {
+protected:
+  const Surface& surface() const { return GetParam(); }
+  const Formula f{GetParam().formula};
+
+  Extraction extract(const Motion& motion, std::size_t resolution, double sign = 1) const {
+    const Moved_function moved(f, motion, sign);
+    return extract_extremal_mesh(moved, surfaces::lattice_around(moved, surface().box(motion), resolution));
+  }
+};
+
+} // namespace
+
+TEST_P(Generic_surfaces, have_the_extremal_points_and_umbilics_of_a_dense_search) {
+  const Extraction extraction = extract({}, 40);
+  const Extremal_mesh& mesh = extraction.mesh;
+  const double h = surface().half_size, size = 2 * h;
+  const auto starts = make_implicit_cells(f, make_lattice({-h, -h, -h}, {h, h, h}, surface().search_resolution)).points;
+  const auto zeros = dense_search::find_zeros(f, starts, size);
+
+  std::vector<Point> points, umbilics;
+  int field_index = 0;
+  double umbilic_index = 0;
+  for (const auto& z : zeros) {
+    (z.umbilic ? umbilics : points).push_back(z.point);
+    field_index += z.field_index;
+    umbilic_index += z.umbilic_class.index;
+    if (z.umbilic) {
+      EXPECT_EQ(z.umbilic_class.field_index, z.field_index);
+    }
+  }
+  // Poincaré and Hopf say whether the search found all there is.
+  ASSERT_EQ(field_index, surface().euler_characteristic);
+  ASSERT_EQ(umbilic_index, surface().euler_characteristic);
+  EXPECT_EQ(points.size(), surface().counts.extremal_points);
+  EXPECT_EQ(umbilics.size(), surface().counts.umbilics);
+
+  // Both methods stop at rounding: some 1e-12 of the size here, 1e-9 with room for weakly determined points.
+  const auto off = largest_distance(positions(mesh, Vertex_kind::extremal_point), points);
+  ASSERT_TRUE(off);
+  EXPECT_LT(*off, 1e-9 * size);
+  const auto umbilics_off = largest_distance(positions(mesh, Vertex_kind::umbilic), umbilics);
+  ASSERT_TRUE(umbilics_off);
+  EXPECT_LT(*umbilics_off, 1e-9 * size);
+  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
+    const Extremal_mesh_vertex& x = mesh.vertex(v);
+    const auto z = std::min_element(zeros.begin(), zeros.end(), [&](const auto& a, const auto& b) {
+      return surfaces::distance(a.point, x.point) < surfaces::distance(b.point, x.point);
+    });
+    EXPECT_EQ(x.field_index, z->field_index);
+    EXPECT_EQ(x.umbilic_index, z->umbilic_class.index);
+    EXPECT_EQ(x.umbilic_type, z->umbilic_class.type);
+    EXPECT_EQ(x.ridges, z->umbilic_class.ridges);
+  }
+}
+
+TEST_P(Generic_surfaces, have_the_same_mesh_in_every_position_and_at_every_resolution) {
+  const Extraction first = extract({}, 32);
+  EXPECT_EQ(surfaces::counts_of(first.mesh), surface().counts);
+  for (unsigned seed = 1; seed <= 5; ++seed)
+    for (const std::size_t resolution : {24U, 48U}) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", resolution " + std::to_string(resolution));
+      const Motion motion = surfaces::random_motion(seed);
+      const Extraction extraction = extract(motion, resolution);
+      surfaces::expect_all_checks_hold(extraction.mesh);
+      EXPECT_EQ(surfaces::counts_of(extraction.mesh), surface().counts);
+      EXPECT_TRUE(isomorphic(first.mesh, extraction.mesh));
+      for (const auto kind : {Vertex_kind::extremal_point, Vertex_kind::umbilic}) {
+        std::vector<Point> expected;
+        for (const Point& p : positions(first.mesh, kind))
+          expected.push_back(motion(p));
+        const auto off = largest_distance(positions(extraction.mesh, kind), expected);
+        ASSERT_TRUE(off);
+        EXPECT_LT(*off, 1e-9 * 2 * surface().half_size);
+      }
+    }
+}
+
+TEST_P(Generic_surfaces, need_no_guess) {
+  for (const std::size_t resolution : {24U, 48U})
+    EXPECT_EQ(extract({}, resolution).report.uncertain_cells, 0U) << "resolution " << resolution;
+}
+
+TEST_P(Generic_surfaces, have_lines_of_their_family_between_cells_of_the_sign_of_E_g) {
+  const Extraction extraction = extract({}, 32);
+  const Extremal_mesh& mesh = extraction.mesh;
+  const double size = 2 * surface().half_size;
+  for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
+    const Extremal_mesh_edge& edge = mesh.edge(e);
+    const std::size_t middle = edge.polyline.size() / 2;
+    const auto here = dense_search::place_near(f, edge.polyline[middle]);
+    ASSERT_TRUE(here);
+    // Roots along edges of cells are found to rounding of the position, relative to the size.
+    EXPECT_LT(surfaces::distance(here->p, edge.polyline[middle]), 1e-12 * size);
+    const Principal_quantities q = principal_quantities(here->shape);
+    const double zero = edge.family == 1 ? q.e1 : q.e2, other = edge.family == 1 ? q.e2 : q.e1;
+    EXPECT_LT(std::abs(zero), 1e-6 * std::abs(other)) << "edge " << e;
+    EXPECT_NEAR(edge.k1[middle], q.k1, 1e-9 * std::abs(q.k1));
+    EXPECT_NEAR(edge.k2[middle], q.k2, 1e-9 * std::abs(q.k2));
+
+    // A step to the left, far smaller than the distance to other lines in the middle of an edge.
+    const Vector forward =
+        surfaces::along(edge.polyline[std::min(middle + 1, edge.polyline.size() - 1)], -1, edge.polyline[middle - 1]);
+    const Vector left = surfaces::unit(surfaces::cross(here->shape.n, forward));
+    const double step = std::min(1e-5 * size, 1e-3 * edge.length);
+    for (const double side : {1.0, -1.0}) {
+      const auto beside = dense_search::place_near(f, surfaces::along(here->p, side * step, left));
+      ASSERT_TRUE(beside);
+      const int sign = mesh.cell(side > 0 ? edge.left_cell : edge.right_cell).sign;
+      EXPECT_GT(sign * beside->shape.Phi().imag(), 0) << "edge " << e;
+    }
+  }
+}
+
+TEST_P(Generic_surfaces, change_the_signs_of_cells_under_reflection) {
+  const Motion motion = surfaces::random_motion(7);
+  EXPECT_TRUE(isomorphic(extract(motion, 32).mesh, extract(surfaces::mirrored(motion), 32).mesh, {.signs = true}));
+}
+
+TEST_P(Generic_surfaces, exchange_families_when_the_normal_is_reversed) {
+  const Motion motion = surfaces::random_motion(8);
+  EXPECT_TRUE(isomorphic(extract(motion, 32).mesh, extract(motion, 32, -1).mesh, {.families = true}));
+}
+
+TEST_P(Generic_surfaces, scale) {
+  Motion large, small;
+  large.scale = 1000;
+  small.scale = 0.001;
+  const Extraction a = extract(large, 32), b = extract(small, 32);
+  EXPECT_TRUE(isomorphic(a.mesh, b.mesh));
+  // Areas are sums of the same terms up to rounding in other places; strength and sharpness have no unit.
+  EXPECT_NEAR(a.mesh.surface().area / b.mesh.surface().area, 1e12, 1e12 * 1e-6);
+  double strength_a = 0, strength_b = 0, sharpness_a = 0, sharpness_b = 0;
+  for (std::size_t e = 0; e < a.mesh.number_of_edges(); ++e) {
+    strength_a += a.mesh.edge(e).strength;
+    sharpness_a += a.mesh.edge(e).sharpness;
+  }
+  for (std::size_t e = 0; e < b.mesh.number_of_edges(); ++e) {
+    strength_b += b.mesh.edge(e).strength;
+    sharpness_b += b.mesh.edge(e).sharpness;
+  }
+  // The lines are sampled where the cells are, which rounding may divide differently: integrals along them differ by
+  // their discretisation error.
+  EXPECT_NEAR(strength_a / strength_b, 1, 1e-2);
+  EXPECT_NEAR(sharpness_a / sharpness_b, 1, 5e-2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Algebraic, Generic_surfaces, testing::ValuesIn(all_surfaces),
+                         [](const auto& info) { return info.param.name; });
