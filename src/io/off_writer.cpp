@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Surfaces as OFF. Faces carry colours as integers, which every reader of OFF understands or ignores; there are no
-// comments, which some do not.
+// Surfaces as OFF. Colours stand behind the corners of a face, as integers, under the header OFF: so CGAL, Geomview,
+// MeshLab and meshio read them or pass over them. (OpenMesh 9 expects such colours under the header COFF only, which to
+// the others means colours of vertices.) There are no comments, which some readers do not know.
 #include "Off_file.h"
 
 #include <CGAL/Extremal_mesh_3/io.h>

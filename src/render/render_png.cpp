@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -27,6 +28,14 @@ constexpr int band_height = 64;
 constexpr double line_bias = 3;
 constexpr double dot_bias = 3;
 constexpr Colour faint{236, 232, 226};
+
+/// a size in pixels: as asked for, or `most`, or so much less that `count` things of the size times `room` have room in
+/// the picture.
+double size_for(double asked, double most, double room, std::size_t count, const Render_options& options) {
+  if (asked > 0)
+    return asked;
+  return std::min(most, std::sqrt(options.width * double(options.height) / double(count + 1)) / room);
+}
 
 /// A range of rows of samples.
 struct Rows {
@@ -44,7 +53,9 @@ struct Rows {
 class Scene {
 public:
   Scene(const Extremal_mesh& mesh, const Cell_patches& patches, const Render_options& options)
-      : mesh_(mesh), patches_(patches), options_(options), camera_(mesh, patches, options, Canvas::samples) {
+      : mesh_(mesh), patches_(patches), options_(options), camera_(mesh, patches, options, Canvas::samples),
+        line_width_(Canvas::samples * size_for(options.line_width, 3, 12, mesh.number_of_edges(), options)),
+        dot_radius_(Canvas::samples * size_for(options.dot_radius, 6, 8, mesh.number_of_vertices(), options)) {
     corners_.reserve(patches.points.size());
     for (std::size_t i = 0; i < patches.points.size(); ++i)
       corners_.push_back({camera_.project(patches.points[i]), camera_.turn(patches.normals[i])});
@@ -55,7 +66,7 @@ public:
     line_rows_.resize(mesh.number_of_edges());
     for (std::size_t e = 0; e < mesh.number_of_edges(); ++e)
       for (const Point& p : mesh.edge(e).polyline)
-        line_rows_[e].include(camera_.project(p), options.line_width * Canvas::samples);
+        line_rows_[e].include(camera_.project(p), line_width_);
   }
 
   void draw(Canvas& canvas) const {
@@ -99,7 +110,7 @@ private:
       const Line_type type = edge.segment_types[i];
       const bool largest = type == Line_type::max_largest || type == Line_type::min_largest;
       const double width = (type == Line_type::max_largest ? 1.3 : largest ? 1.0 : 0.85) * (weak ? 0.6 : 1);
-      const double radius = 0.5 * width * options_.line_width * Canvas::samples;
+      const double radius = 0.5 * width * line_width_;
       Colour colour = line_colour(type);
       if (weak)
         for (std::size_t k = 0; k < 3; ++k)
@@ -115,7 +126,7 @@ private:
     if (mesh_.surface().closed && camera_.turn(vertex.normal)[2] < 0) // on the far side
       return;
     const bool small = vertex.kind == Vertex_kind::boundary;
-    const double radius = (small ? 0.6 : 1) * options_.dot_radius * Canvas::samples;
+    const double radius = (small ? 0.6 : 1) * dot_radius_;
     const Screen_point centre = camera_.project(vertex.point);
     Rows rows;
     rows.include(centre, radius);
@@ -127,6 +138,7 @@ private:
   const Cell_patches& patches_;
   const Render_options& options_;
   Camera camera_;
+  double line_width_, dot_radius_; ///< samples
   std::vector<Corner> corners_;
   std::vector<Rows> polygon_rows_, line_rows_;
 };

@@ -6,7 +6,7 @@
 #include <CGAL/Extremal_mesh_3/types.h>
 
 #include <array>
-#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -28,7 +28,7 @@ struct Extract_options {
   std::string input; ///< an image; empty if there is a formula
   std::optional<std::string> formula;
   std::optional<std::array<double, 6>> box;
-  std::optional<std::size_t> resolution;
+  std::optional<std::int64_t> resolution;
   std::optional<double> iso, sigma;
   std::vector<std::string> outputs; ///< what they are follows from their extensions
   std::string lines, cells, surface, report;

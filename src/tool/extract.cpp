@@ -20,9 +20,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t default_resolution = 64;
+constexpr std::int64_t default_resolution = 64;
 /// More cubes on a side than this are a slip of the finger: the values alone would take days.
-constexpr std::size_t highest_resolution = 20000;
+constexpr std::int64_t highest_resolution = 20000;
 
 /// What to extract from, and how it is recorded.
 struct Input {
@@ -32,7 +32,7 @@ struct Input {
   Json parameters;
 };
 
-Lattice lattice_of(const Extract_options& options, std::size_t resolution) {
+Lattice lattice_of(const Extract_options& options, std::int64_t resolution) {
   const std::array<double, 6>& box = *options.box;
   for (std::size_t a = 0; a < 3; ++a) {
     const double low = box[a], high = box[a + 3];
@@ -46,7 +46,7 @@ Lattice lattice_of(const Extract_options& options, std::size_t resolution) {
   if (resolution < 1 || resolution > highest_resolution)
     throw Usage_error(
         fmt::format("the resolution is {}; give --resolution a number from 1 to {}", resolution, highest_resolution));
-  return make_lattice({box[0], box[1], box[2]}, {box[3], box[4], box[5]}, resolution);
+  return make_lattice({box[0], box[1], box[2]}, {box[3], box[4], box[5]}, std::size_t(resolution));
 }
 
 Input formula_input(const Extract_options& options) {
@@ -54,7 +54,7 @@ Input formula_input(const Extract_options& options) {
     throw Usage_error("a formula needs a box in which to look for its surface; give --box x0 y0 z0 x1 y1 z1");
   if (options.iso || options.sigma)
     throw Usage_error("--iso and --sigma are for images; subtract the value in the formula instead");
-  const std::size_t resolution = options.resolution.value_or(default_resolution);
+  const std::int64_t resolution = options.resolution.value_or(default_resolution);
   Input input;
   input.lattice = lattice_of(options, resolution);
   try {

@@ -37,22 +37,25 @@ std::vector<std::string> arguments(int argc, char** argv) {
 
 void add_extract(CLI::App& app, tool::Extract_options& options, std::function<int()>& run) {
   CLI::App* command = app.add_subcommand("extract", "extracts the extremal mesh of a surface f = 0 or of an image");
-  command->add_option("INPUT", options.input, "an image: .nrrd .nhdr .mha .mhd .nii .nii.gz .vtk");
-  command->add_option("--formula", options.formula, "a function of x, y and z, negative inside");
-  command->add_option("--box", options.box, "x0 y0 z0 x1 y1 z1: where to look for the surface");
-  command->add_option("--resolution", options.resolution, "cubes across the longest side of the box (64)");
-  command->add_option("--iso", options.iso, "the value of the image on the surface");
-  command->add_option("--sigma", options.sigma, "width of the Gaussian in mm (the largest side of a voxel)");
-  command->add_option("-o,--output", options.outputs, "the graph (.graphml), its cells (.off), a picture (.png)")
+  command->add_option("INPUT", options.input, "an image: .nrrd .nhdr .mha .mhd .nii .nii.gz .vtk")->type_name("");
+  const auto option = [&](const std::string& name, auto& value, const std::string& type, const std::string& text) {
+    return command->add_option(name, value, text)->type_name(type);
+  };
+  option("--formula", options.formula, "TEXT", "a function of x, y and z, negative inside");
+  option("--box", options.box, "X0 Y0 Z0 X1 Y1 Z1", "where to look for the surface");
+  option("--resolution", options.resolution, "N", "cubes across the longest side of the box (64)");
+  option("--iso", options.iso, "VALUE", "the value of the image on the surface");
+  option("--sigma", options.sigma, "MM", "width of the Gaussian (the largest side of a voxel)");
+  option("-o,--output", options.outputs, "FILE", "the graph (.graphml), its cells (.off), a picture (.png); repeatable")
       ->allow_extra_args(false);
-  command->add_option("--lines", options.lines, "write the lines as coloured tubes (.off)");
-  command->add_option("--cells", options.cells, "write the surface cut along the lines, coloured by cell (.off)");
-  command->add_option("--surface", options.surface, "write the polygonal surface used (.off)");
-  command->add_option("--report", options.report, "write counts and checks (.json)");
-  command->add_option("--view", options.view, "DX DY DZ: the direction of sight of the picture");
-  command->add_option("--size", options.size, "WIDTHxHEIGHT of the picture in pixels (1600x1200)");
-  command->add_option("--threads", options.threads, "0: as many as there are cores (0)");
-  command->add_option("--max-level", options.max_level, "how often a cell may be divided (8)");
+  option("--lines", options.lines, "FILE", "write the lines as coloured tubes (.off)");
+  option("--cells", options.cells, "FILE", "write the surface cut along the lines, coloured by cell (.off)");
+  option("--surface", options.surface, "FILE", "write the polygonal surface used (.off)");
+  option("--report", options.report, "FILE", "write counts and checks (.json)");
+  option("--view", options.view, "DX DY DZ", "the direction of sight of the picture");
+  option("--size", options.size, "WIDTHxHEIGHT", "of the picture in pixels (1600x1200)");
+  option("--threads", options.threads, "N", "0: as many as there are cores (0)");
+  option("--max-level", options.max_level, "N", "how often a cell may be divided (8)");
   command->add_flag("--quiet", options.quiet, "print errors only");
   command->footer("Example:\n  extremal_mesh extract --formula \"x^2/9+y^2/4+z^2-1\" --box -4 -3 -2 4 3 2 "
                   "-o ellipsoid.graphml -o ellipsoid.png\n"
@@ -64,7 +67,7 @@ void add_graph_command(CLI::App& app, const std::string& name, const std::string
                        tool::Graph_options& options, int (*function)(const tool::Graph_options&),
                        std::function<int()>& run) {
   CLI::App* command = app.add_subcommand(name, description);
-  command->add_option("GRAPH", options.file, "an extremal mesh (.graphml)")->required();
+  command->add_option("GRAPH", options.file, "an extremal mesh (.graphml)")->required()->type_name("");
   command->add_flag("--json", options.json, "print one JSON object");
   command->footer(fmt::format("Example:\n  extremal_mesh {} ellipsoid.graphml --json", name));
   command->callback([&options, function, &run] { run = [&options, function] { return function(options); }; });
@@ -79,7 +82,7 @@ int tell(std::string message, int code) {
 int run(int argc, char** argv) {
   CLI::App app("The extremal mesh of surfaces", "extremal_mesh");
   app.set_version_flag("--version", "extremal_mesh " EXTREMAL_MESH_3_VERSION);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1); // that there is one is tested below, with a better message
   app.footer("'extremal_mesh COMMAND --help' tells more, with an example.");
   std::function<int()> command;
   tool::Extract_options extract_options;
@@ -95,6 +98,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return tell(fmt::format("{}; 'extremal_mesh --help' shows how to call it", error.what()), tool::usage);
   }
+  if (!command)
+    return tell("there is no command; give extract, info or check", tool::usage);
   const int code = command();
   if (std::fflush(stdout) != 0)
     return tell("the output cannot be written; is the disk full?", tool::failure);

@@ -39,7 +39,7 @@ void write_off(const std::string& file, const Cell_patches& patches, const Extre
 /// writes a text as a file that appears whole or not at all. \throws Io_error
 void write_text_file(const std::string& file, const std::string& text);
 
-/// writes a cell complex as OFF. \throws Io_error
+/// writes a cell complex as OFF, without colours. \throws Io_error
 void write_off(const std::string& file, const Cell_complex& cells);
 
 } // namespace CGAL::Extremal_mesh_3

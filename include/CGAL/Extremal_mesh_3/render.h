@@ -16,8 +16,8 @@ struct Render_options {
   int width = 1600, height = 1200; ///< pixels
   Vector view{-0.5, 0.75, -0.35};  ///< the direction of sight
   Vector up{0, 0, 1};              ///< what points upwards in the picture, as far as it is not along `view`
-  double line_width = 3;           ///< pixels
-  double dot_radius = 6;           ///< pixels
+  double line_width = 0;           ///< pixels; 0: 3, or less where many lines are crowded
+  double dot_radius = 0;           ///< pixels; 0: 6, or less where many vertices are crowded
   double min_strength = 0;         ///< lines of less strength are drawn thinner and paler
   bool legend = true;              ///< tell what the colours mean, if there is room
   int threads = 0;                 ///< 0: as many as there are cores. The picture does not depend on it.
