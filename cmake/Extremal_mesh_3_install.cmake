@@ -17,7 +17,7 @@ install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
 get_target_property(type Extremal_mesh_3 TYPE)
 if(type STREQUAL STATIC_LIBRARY)
   set(Extremal_mesh_3_is_static TRUE)
-  set(pkgconfig_requires "fmt tbb pugixml libpng zlib")
+  set(pkgconfig_requires "fmt tbb libpng zlib")
   set(pkgconfig_libs "")
   foreach(library ITKIOMeta ITKIONIFTI ITKIONRRD ITKIOVTK ITKIOImageBase ITKCommon)
     string(APPEND pkgconfig_libs " -l:$<TARGET_LINKER_FILE_NAME:${library}>")

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A user's program: it calls each part of the library that links to another one (TBB, fmt, pugixml, libpng, ITK).
+// A user's program: it calls each part of the library that links to another one (TBB, fmt, libpng, ITK).
 
 #include <CGAL/Extremal_mesh_3/Formula.h>
 #include <CGAL/Extremal_mesh_3/Image.h>
