@@ -109,8 +109,9 @@ void Arrangement::place(Crossing& crossing, std::uint32_t count) const {
   const double turned = crossing.family == 1 ? -1 : 1;
   const auto height = [&](const Sample& s) { return std::arg(turned * s.shape.Phi()); };
   Sample s = *a;
+  const auto at = [&](double t) { return sample_between(complex_.surface(), *a, *b, t, Surface::to_place); };
   if (count > 1) {
-    s = sample_between(complex_.surface(), *a, *b, (ordinal + 1) / (count + 1)); // unresolved at the finest level
+    s = at((ordinal + 1) / (count + 1)); // unresolved at the finest level
   } else {
     // Regula falsi in the form of Anderson and Björck, with a bisection where it is slow.
     double low = 0, high = 1, h_low = height(*a), h_high = height(*b);
@@ -118,7 +119,7 @@ void Arrangement::place(Crossing& crossing, std::uint32_t count) const {
       double t = low - h_low * (high - low) / (h_high - h_low);
       if (!(t > low && t < high) || i % 8 == 7)
         t = low + (high - low) / 2;
-      s = sample_between(complex_.surface(), *a, *b, t);
+      s = at(t);
       const double h = height(s);
       if (std::abs(h) < 1e-14)
         break;

@@ -17,34 +17,29 @@ bool finite(const Local_shape& s) {
 
 } // namespace
 
-std::optional<Sample> Implicit_surface::sample(const Point& x, const Vector& direction, double reach) const {
-  // Newton along the line. When a step is so small that the next one would be rounding, all derivatives are taken there
-  // at once.
+std::optional<Sample> Implicit_surface::sample(const Point& x, const Vector& direction, double reach,
+                                               double accuracy) const {
+  // Newton along the line. All derivatives are taken where the step to the surface is within the accuracy; as steps
+  // shrink quadratically, the step before tells when that will be. The guess x is often good enough by itself.
   Derivatives d;
-  double s = 0;
-  bool close = false;
+  double s = 0, expected = 0;
   for (int i = 0; i < 25; ++i) {
     const Point p = x + s * direction;
-    f_.derivatives(p, close ? 3 : 1, d);
+    const bool all = expected < accuracy * reach;
+    f_.derivatives(p, all ? 3 : 1, d);
     const double step = -d.value / dot(d.gradient, direction);
-    if (!std::isfinite(step))
+    if (!std::isfinite(step) || std::abs(s + step) > reach)
       return std::nullopt;
-    if (close && std::abs(step) < 1e-12 * reach) {
+    // Where the surface is far from the origin, steps below 1e-9 that do not shrink any more are rounding.
+    const bool rounding = i > 8 && std::abs(step) < 1e-9 * reach;
+    if (all && (std::abs(step) <= accuracy * reach || rounding)) {
       const Local_shape shape = local_shape(d);
       if (!finite(shape))
         return std::nullopt;
       return Sample(p + step * direction, shape, true);
     }
     s += step;
-    if (std::abs(s) > reach)
-      return std::nullopt;
-    close = std::abs(step) < 1e-5 * reach;
-  }
-  // Steps that stay above 1e-12 of the reach are rounding, if they are small: the surface is far from the origin.
-  if (close) {
-    const Local_shape shape = local_shape(d);
-    if (finite(shape))
-      return Sample(x + s * direction, shape, true);
+    expected = i > 8 ? 0 : step * step / reach;
   }
   return std::nullopt;
 }
@@ -66,7 +61,7 @@ double Implicit_surface::extremality_derivative(const Sample& s, int family, dou
   const Vector t = family == 1 ? here.t1 : here.t2;
   double e[2];
   for (int side = 0; side < 2; ++side) {
-    const auto other = sample(s.p + (side == 0 ? -step : step) * t, s.shape.n, 10 * step);
+    const auto other = sample(s.p + (side == 0 ? -step : step) * t, s.shape.n, 10 * step, to_place);
     if (!other)
       return 0;
     const Principal_quantities q = principal_quantities(other->shape);

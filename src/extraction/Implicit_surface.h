@@ -14,7 +14,7 @@ class Implicit_surface : public Surface {
 public:
   explicit Implicit_surface(const Function_3& f) : f_(f) {}
 
-  std::optional<Sample> sample(const Point& x, const Vector& direction, double reach) const override;
+  std::optional<Sample> sample(const Point& x, const Vector& direction, double reach, double accuracy) const override;
   double extremality_derivative(const Sample& s, int family, double step) const override;
 
   /// the sample at a point that lies on the surface already.

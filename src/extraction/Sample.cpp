@@ -16,8 +16,9 @@ namespace {
 /// on another sheet (cos 66°).
 constexpr double least_cosine = 0.4;
 
-std::optional<Sample> accepted(const Surface& surface, const Point& x, const Vector& direction, double reach) {
-  auto s = surface.sample(x, direction, reach);
+std::optional<Sample> accepted(const Surface& surface, const Point& x, const Vector& direction, double reach,
+                               double accuracy) {
+  auto s = surface.sample(x, direction, reach, accuracy);
   if (s && dot(s->shape.n, direction) < least_cosine)
     return std::nullopt;
   return s;
@@ -66,31 +67,48 @@ Sample interpolate(const std::vector<const Sample*>& samples, const std::vector<
   return Sample(mean.p, mean.shape, false);
 }
 
-Sample sample_between(const Surface& surface, const Sample& a, const Sample& b, double t) {
-  const Point x = (1 - t) * a.p + t * b.p;
-  const Vector n = (1 - t) * a.shape.n + t * b.shape.n;
-  const double length = norm(n);
-  if (length > 0.1)
-    if (const auto s = accepted(surface, x, (1 / length) * n, 0.5 * distance(a.p, b.p)))
+Sample sample_between(const Surface& surface, const Sample& a, const Sample& b, double t, double accuracy) {
+  const Vector chord = b.p - a.p;
+  const Vector sum = (1 - t) * a.shape.n + t * b.shape.n;
+  const double length = norm(sum), reach = 0.5 * norm(chord);
+  if (length > 0.1) {
+    const Vector n = (1 / length) * sum;
+    const double na = dot(n, a.shape.n), nb = dot(n, b.shape.n);
+    Point x = (1 - t) * a.p + t * b.p;
+    if (na > least_cosine && nb > least_cosine) {
+      // The height above the chord, by Hermite interpolation: slopes follow from the normals.
+      const double slope_a = -dot(chord, a.shape.n) / na, slope_b = -dot(chord, b.shape.n) / nb;
+      x = x + (t * (1 - t) * ((1 - t) * slope_a - t * slope_b)) * n;
+    }
+    if (const auto s = accepted(surface, x, n, reach, accuracy))
       return *s;
+  }
   return interpolate({&a, &b}, {1 - t, t});
 }
 
 Sample sample_amid(const Surface& surface, const std::vector<const Sample*>& corners) {
   const double w = 1 / double(corners.size());
   Point x{};
-  Vector n{};
+  Vector sum{};
   for (const Sample* s : corners) {
     x = x + w * s->p;
-    n = n + w * s->shape.n;
+    sum = sum + w * s->shape.n;
   }
-  double radius = 0;
-  for (const Sample* s : corners)
-    radius = std::max(radius, distance(s->p, x));
-  const double length = norm(n);
-  if (length > 0.1)
-    if (const auto s = accepted(surface, x, (1 / length) * n, radius))
+  const double length = norm(sum);
+  if (length > 0.1) {
+    const Vector n = (1 / length) * sum;
+    double radius = 0, height = 0;
+    bool flat = true;
+    for (const Sample* s : corners) {
+      const double cosine = dot(n, s->shape.n);
+      flat = flat && cosine > least_cosine;
+      radius = std::max(radius, distance(s->p, x));
+      // On a paraboloid the surface lies half way to the tangent plane of a corner, on average.
+      height += 0.5 * w * dot(s->p - x, s->shape.n) / cosine;
+    }
+    if (const auto s = accepted(surface, flat ? x + height * n : x, n, radius, Surface::to_look))
       return *s;
+  }
   return interpolate(corners, std::vector<double>(corners.size(), w));
 }
 

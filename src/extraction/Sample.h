@@ -34,7 +34,11 @@ public:
   virtual ~Surface() = default;
   /// the sample at the point of the line x + s·direction, |s| ≤ reach, where it meets the surface; nothing if none is
   /// found.
-  virtual std::optional<Sample> sample(const Point& x, const Vector& direction, double reach) const = 0;
+  /// \param accuracy  how far from that point, in parts of `reach`, the derivatives may be taken
+  virtual std::optional<Sample> sample(const Point& x, const Vector& direction, double reach,
+                                       double accuracy = to_look) const = 0;
+  static constexpr double to_look = 1e-6;   ///< enough to judge what is there
+  static constexpr double to_place = 1e-12; ///< for what goes into the result
   /// ∇e_i·t_i, for the family i.
   /// \param step  a length that is small here, for surfaces that must take differences
   virtual double extremality_derivative(const Sample& s, int family, double step) const = 0;
@@ -60,7 +64,8 @@ Sample interpolate(const std::vector<const Sample*>& samples, const std::vector<
 
 /// the point of the surface above the chord from a to b at parameter t; interpolated where the surface cannot be
 /// reached. Exchanging the ends and taking 1 − t gives the same point, to the last bit for t = ½.
-Sample sample_between(const Surface& surface, const Sample& a, const Sample& b, double t);
+Sample sample_between(const Surface& surface, const Sample& a, const Sample& b, double t,
+                      double accuracy = Surface::to_look);
 
 /// the same above the centroid of several samples.
 Sample sample_amid(const Surface& surface, const std::vector<const Sample*>& corners);

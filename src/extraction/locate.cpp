@@ -18,7 +18,8 @@ std::optional<Sample> locate_zero(const Surface& surface, Field field, const Sam
   double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 40; ++i) {
     const Vector u = best.shape.u, v = best.shape.v(), n = best.shape.n;
-    const auto su = surface.sample(best.p + h * u, n, size), sv = surface.sample(best.p + h * v, n, size);
+    const auto su = surface.sample(best.p + h * u, n, size, Surface::to_place);
+    const auto sv = surface.sample(best.p + h * v, n, size, Surface::to_place);
     if (!su || !sv)
       return std::nullopt;
     const Complex F = value(best);
@@ -37,7 +38,7 @@ std::optional<Sample> locate_zero(const Surface& surface, Field field, const Sam
       x *= 0.5 * size / step;
       y *= 0.5 * size / step;
     }
-    const auto next = surface.sample(best.p + x * u + y * v, n, size);
+    const auto next = surface.sample(best.p + x * u + y * v, n, size, Surface::to_place);
     if (!next || distance(next->p, start.p) > reach)
       return std::nullopt;
     best = *next;
