@@ -14,7 +14,8 @@ namespace CGAL::Extremal_mesh_3 {
 
 /// appends a cell as an object on one line:
 /// `{"id":0,"sign":1,"area":…,"weight":…,"euler_characteristic":1,"touches_border":false, "boundary":[[half-edges of a
-/// walk], …]}`. \throws graphml::Value_error if a number is not finite
+/// walk], …]}`.
+/// \throws graphml::Value_error if a number is not finite
 void append_json(fmt::memory_buffer& out, const Extremal_mesh_cell& cell, std::size_t id);
 
 /// reads an array of such objects.

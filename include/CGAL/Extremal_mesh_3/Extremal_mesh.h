@@ -115,8 +115,7 @@ public:
 
   Extremal_mesh() : graph_(std::make_shared<const Graph>()) {}
   /// \throws std::invalid_argument naming the element if an id, end, cell, star or boundary walk names one that does
-  /// not exist, or
-  ///         the arrays of an edge do not fit together
+  ///         not exist, or the arrays of an edge do not fit together
   Extremal_mesh(std::vector<Extremal_mesh_vertex> vertices, std::vector<Extremal_mesh_edge> edges,
                 std::vector<Extremal_mesh_cell> cells, Surface_info surface);
 

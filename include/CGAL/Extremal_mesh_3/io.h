@@ -16,8 +16,8 @@ namespace CGAL::Extremal_mesh_3 {
 void check_writable(const std::string& file);
 
 /// writes GraphML, the native format: typed keys that NetworkX, igraph and Gephi read, doubles that read back bit for
-/// bit. The file appears whole or not at all. Characters of the texts that XML cannot hold become U+FFFD. \throws
-/// Io_error, also if a number is not finite
+/// bit. The file appears whole or not at all. Characters of the texts that XML cannot hold become U+FFFD.
+/// \throws Io_error, also if a number is not finite
 void write_graphml(const std::string& file, const Extremal_mesh& mesh);
 
 /// reads what `write_graphml()` wrote, also if another program such as NetworkX has written it again with further
@@ -32,8 +32,8 @@ void write_off(const std::string& file, const Extremal_mesh& mesh);
 /// \param radius  of the tubes; 0 chooses one from the size of the mesh
 void write_lines_off(const std::string& file, const Extremal_mesh& mesh, double radius = 0);
 
-/// writes the surface cut along the lines, each polygon coloured by the sign of E_g in its cell, as OFF. \throws
-/// Io_error
+/// writes the surface cut along the lines, each polygon coloured by the sign of E_g in its cell, as OFF.
+/// \throws Io_error
 void write_off(const std::string& file, const Cell_patches& patches, const Extremal_mesh& mesh);
 
 /// writes a text as a file that appears whole or not at all. \throws Io_error

@@ -25,7 +25,9 @@ struct Render_options {
 
 /// draws surface (E_g > 0 and E_g < 0 in two tints), lines in the colours of Thirion's report (largest curvature
 /// orange, second blue, maxima lighter than minima), extremal points and umbilics as dots, and writes a PNG. Needs no
-/// display. \throws Io_error if the file cannot be written; std::invalid_argument if a size is not in 16 … 16384
+/// display. Without patches the lines are drawn alone, those on the far side too.
+/// \throws Io_error if the file cannot be written
+/// \throws std::invalid_argument if a size is not in 16 … 16384, or an option or a patch makes no sense
 void render_png(const std::string& file, const Extremal_mesh& mesh, const Cell_patches& patches,
                 const Render_options& options = {});
 
