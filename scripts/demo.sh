@@ -2,7 +2,7 @@
 # Copyright (c) 2026 The Extremal_mesh_3 authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing, builds, and extracts the extremal meshes of the bundled head CT's bone and of an ellipsoid.
+# Installs what is missing, builds, and extracts the extremal meshes of a skull in a CT and of an ellipsoid.
 #
 #   scripts/demo.sh [OUTPUT_FOLDER]       the default is ./demo_output
 #
@@ -30,9 +30,9 @@ extract() { # TITLE NAME ARGUMENT…
   "$tool" check "$base.graphml"
 }
 
-extract "Bone in the CT of a head (data/headsq.nii.gz)" head data/headsq.nii.gz --iso 1150
 extract "Ellipsoid with semi-axes 3, 2, 1" ellipsoid --formula "x^2/9 + y^2/4 + z^2 = 1" --box -4 -3 -2 4 3 2
+extract "Skull in a CT (data/skull_2.9.nrrd)" skull data/skull_2.9.nrrd --iso 2.9 --view 0.5 1 -0.2
 
 printf '\nIn %s:\n' "$output"
 ls -l "$output" | awk 'NR > 1 { printf "%12d  %s\n", $5, $9 }'
-printf 'The pictures are %s and %s.\n' "$output/head.png" "$output/ellipsoid.png"
+printf 'The pictures are %s and %s.\n' "$output/skull.png" "$output/ellipsoid.png"

@@ -6,7 +6,7 @@
 packages=(
   # to build
   g++ cmake ninja-build pkg-config
-  libboost-graph-dev libeigen3-dev libtbb-dev libfmt-dev nlohmann-json3-dev libpng-dev zlib1g-dev
+  libboost-graph-dev libtbb-dev libfmt-dev nlohmann-json3-dev libpng-dev zlib1g-dev
   libinsighttoolkit5-dev libcli11-dev
   # to test
   libgtest-dev python3 python3-networkx python3-numpy
