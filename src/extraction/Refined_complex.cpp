@@ -196,7 +196,8 @@ void Refined_complex::analyse(const std::vector<std::uint32_t>& cells, bool may_
   std::vector<Cell_analysis> found(cells.size());
   pool.for_each(cells.size(), 32, [&](std::size_t i) {
     const Refined_cell& cell = cells_[cells[i]];
-    found[i] = analyse_cell(*this, cell, may_divide && cell.level < options_.max_level);
+    found[i] = analyse_cell(*this, cell, may_divide && cell.level < options_.max_level,
+                            may_divide && cell.level < std::min(options_.max_level, options_.max_line_level));
   });
   for (std::size_t i = 0; i < cells.size(); ++i) {
     Refined_cell& cell = cells_[cells[i]];

@@ -242,7 +242,8 @@ Sample nudged(const Surface& surface, const Sample& s, double size, double P_aro
   return chosen;
 }
 
-Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& cell, bool may_divide) {
+Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& cell, bool may_divide,
+                           bool may_divide_lines) {
   std::vector<Half_edge> border;
   complex.border(cell, border);
   const Border_crossings met = border_crossings(complex, border);
@@ -291,7 +292,8 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
     }
 
   // Where the surface cannot be reached there is nothing to be found out by dividing.
-  if (may_divide && middle.exact) {
+  const bool no_vertex = known && wP == 0 && wQ == 0;
+  if (middle.exact && (no_vertex ? may_divide_lines : may_divide)) {
     double P_around = 0, Q_around = 0;
     for (std::size_t i = 0; i < flat.border; ++i) {
       P_around = std::max(P_around, std::abs(flat.P[i]));

@@ -33,10 +33,12 @@ struct Cell_analysis {
 };
 
 /// decides what a cell holds: windings of P and Q around its border count their zeros inside, and a linear model of
-/// each, with its error measured at the samples, tells whether there can be more than the windings say. \param
-/// may_divide  give up with `Content::undecided` when in doubt; otherwise the simplest content that the border allows
-/// is taken
-Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& cell, bool may_divide);
+/// each, with its error measured at the samples, tells whether there can be more than the windings say.
+/// \param may_divide  give up with `Content::undecided` when in doubt; otherwise the simplest content that the border
+///        allows is taken
+/// \param may_divide_lines  the same for cells that hold no vertex, if the lines may run in more than one way
+Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& cell, bool may_divide,
+                           bool may_divide_lines);
 
 /// the sample, or one moved within the surface by a small part of `size` if it lies on a line, or so near to a
 /// zero of P or Q that |P| or |Q| is small against the values around.

@@ -72,6 +72,8 @@ std::size_t count_components(const Cell_complex& cells) {
 Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells, const Extraction_options& options) {
   if (options.max_level < 0 || options.max_level > 40)
     throw std::invalid_argument(fmt::format("max_level is {}, not in 0 … 40", options.max_level));
+  if (options.max_line_level < 0)
+    throw std::invalid_argument(fmt::format("max_line_level is {}, less than 0", options.max_line_level));
   if (cells.number_of_cells() == 0)
     throw Extraction_error("the surface has no cells");
   Thread_pool pool(options.threads);

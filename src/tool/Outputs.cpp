@@ -64,6 +64,8 @@ Outputs::Outputs(const Extract_options& options) {
   render_.threads = options.threads;
   if (options.view != Vector{})
     render_.view = options.view;
+  if (options.up != Vector{})
+    render_.up = options.up;
 }
 
 void Outputs::add(Kind kind, const std::string& file) {

@@ -32,10 +32,11 @@ struct Extract_options {
   std::optional<double> iso, sigma;
   std::vector<std::string> outputs; ///< what they are follows from their extensions
   std::string lines, cells, surface, report;
-  Vector view{};    ///< zero: the renderer's own
-  std::string size; ///< "WIDTHxHEIGHT"; empty: the renderer's own
+  Vector view{}, up{}; ///< zero: the renderer's own
+  std::string size;    ///< "WIDTHxHEIGHT"; empty: the renderer's own
   int threads = 0;
   int max_level = 8;
+  std::optional<int> max_line_level;
   bool quiet = false;
 };
 int extract(const Extract_options& options);

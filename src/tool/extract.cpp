@@ -72,14 +72,14 @@ Input image_input(const Extract_options& options) {
     throw Usage_error("--box and --resolution are for formulas; an image is taken whole, at its own resolution");
   if (!options.iso)
     throw Usage_error("an image needs the value that its surface has; give --iso VALUE");
-  const Image image = read_image(options.input);
+  Image image = read_image(options.input);
   Progress_bar bar("smoothing", options.quiet);
   Image_function_options image_options;
   image_options.iso = *options.iso;
   image_options.sigma = options.sigma.value_or(0);
   image_options.threads = options.threads;
   image_options.progress = bar.progress();
-  auto function = std::make_unique<Image_function>(image, image_options);
+  auto function = std::make_unique<Image_function>(std::move(image), image_options);
   Input input;
   input.lattice = function->lattice();
   input.source = options.input;
@@ -109,6 +109,8 @@ int extract(const Extract_options& options) {
   Extraction_options extraction_options;
   extraction_options.threads = options.threads;
   extraction_options.max_level = options.max_level;
+  // The noise of an image makes lines that nearly touch everywhere; to settle them all would take most of the time.
+  extraction_options.max_line_level = options.max_line_level.value_or(options.formula ? options.max_level : 2);
   extraction_options.patches = outputs.need_patches();
   Result result;
   {
@@ -121,7 +123,8 @@ int extract(const Extract_options& options) {
     extraction_options.progress = bar.progress();
     result.extraction = extract_extremal_mesh(*input.function, result.surface, extraction_options);
   }
-  input.parameters["max_level"] = options.max_level;
+  input.parameters["max_level"] = extraction_options.max_level;
+  input.parameters["max_line_level"] = extraction_options.max_line_level;
   result.extraction.mesh.set_provenance(
       input.source, input.parameters.dump(-1, ' ', false, Json::error_handler_t::replace), input.frame);
   result.checks = Extremal_mesh_3::check(result.extraction.mesh);
