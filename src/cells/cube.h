@@ -29,8 +29,10 @@ inline constexpr std::array<std::array<int, 4>, 6> face_corners{
     {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 
 /// decides an ambiguous face (two diagonal corners + , the others −) by the sign of the function itself at the saddle
-/// of its bilinear interpolant: are the + corners joined? \param value  at the corners (0,0), (1,0), (0,1), (1,1) of
-/// the face \param base,s,t  the face's corner (0,0) and its two sides, in steps of the lattice
+/// of its bilinear interpolant: are the + corners joined?
+/// \param value  at the corners (0,0), (1,0), (0,1), (1,1) of
+/// the face
+/// \param base,s,t  the face's corner (0,0) and its two sides, in steps of the lattice
 bool plus_corners_joined(const Function_3& f, const Lattice& lattice, const std::array<double, 4>& value,
                          const std::array<double, 3>& base, const std::array<double, 3>& s,
                          const std::array<double, 3>& t);

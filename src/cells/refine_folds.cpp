@@ -92,7 +92,8 @@ private:
     return cubes;
   }
 
-  /// divides cubes, at first twice, and those that share a face with them. \return whether anything changed
+  /// divides cubes, at first twice, and those that share a face with them.
+  /// \return whether anything changed
   bool divide(const std::vector<Grid_cube>& cubes, bool twice) {
     const std::size_t before = tree_.divided_cubes().size();
     for (const Grid_cube& c : cubes) {

@@ -32,7 +32,8 @@ inline Vector any_orthogonal(const Vector& n) {
 }
 
 /// turns w by the smallest rotation that takes the unit vector a to the unit vector b: the parallel transport along the great circle
-/// between two normals. \pre a ≠ −b
+/// between two normals.
+/// \pre a ≠ −b
 inline Vector transport(const Vector& a, const Vector& b, const Vector& w) {
   const Vector axis = cross(a, b); // its length is the sine of the angle
   const double c = dot(a, b);

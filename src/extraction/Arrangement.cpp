@@ -13,7 +13,8 @@ namespace CGAL::Extremal_mesh_3 {
 namespace {
 
 /// the crossings that a cell without zeros would have joined in pairs: neighbours at the same level of the phase, once
-/// rising, once falling. \param partner  for each crossing its partner, or −1 if it is left over
+/// rising, once falling.
+/// \param partner  for each crossing its partner, or −1 if it is left over
 void join_pairs(const Border_crossings& met, std::vector<int>& partner) {
   const int n = int(met.crossings.size());
   partner.assign(std::size_t(n), -1);

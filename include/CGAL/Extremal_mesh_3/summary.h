@@ -29,7 +29,8 @@ struct Summary {
 Summary summarize(const Extremal_mesh& mesh);
 
 /// makes the JSON object that `info --json` and `extract --report` print: the counts, the surface, where it comes from,
-/// and the outcome of the checks. A check that does not apply counts as not violated; `details` tells which. \param
+/// and the outcome of the checks. A check that does not apply counts as not violated; `details` tells which.
+/// \param
 /// report  what was met during the extraction, if that is known
 std::string to_json(const Extremal_mesh& mesh, const std::vector<Check>& checks,
                     const Extraction_report* report = nullptr);
