@@ -42,6 +42,5 @@ int main() {
       graph, boost::vertex(0, graph),
       boost::weight_map(boost::get(&Extremal_mesh_edge::length, graph)).distance_map(distance.data()));
   for (auto v : boost::make_iterator_range(boost::vertices(graph)))
-    std::cout << to_string(graph[v].kind) << " at " << graph[v].point[0] << ' ' << graph[v].point[1] << ' '
-              << graph[v].point[2] << ", " << distance[v] << " away\n";
+    std::cout << "vertex " << v << " (" << to_string(graph[v].kind) << ") is " << distance[v] << " away\n";
 }
