@@ -18,7 +18,8 @@ fi
 if command -v clang-tidy >/dev/null; then
   cmake --preset dev >/dev/null
   files=("$@")
-  [[ $# -gt 0 ]] || mapfile -t files < <(git ls-files 'src/*.cpp')
+  # ITK's headers refuse clang 14.
+  [[ $# -gt 0 ]] || mapfile -t files < <(git ls-files 'src/*.cpp' ':!src/images/read_image.cpp')
   printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P "$(nproc)" clang-tidy -p build/dev --quiet || status=1
 else
   echo "clang-tidy is not installed" >&2
