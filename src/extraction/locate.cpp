@@ -42,8 +42,8 @@ std::optional<Sample> locate_zero(const Surface& surface, Field field, const Sam
     if (!next || distance(next->p, start.p) > reach)
       return std::nullopt;
     best = *next;
-    // Once steps are tiny and no longer shrink fast they are rounding.
-    if (step < 1e-6 * size && (step == 0 || step > 0.05 * last))
+    // Steps end when they are far below what matters, or when they are rounding: tiny, and no longer shrinking fast.
+    if (step < 1e-14 * size || (step < 1e-6 * size && step > 0.05 * last))
       return best;
     last = step;
   }
