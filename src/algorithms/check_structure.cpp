@@ -17,6 +17,18 @@ bool finite(const Vector& v) {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
 
+bool finite(const Extremal_mesh_vertex& v) {
+  return finite(v.point) && finite(v.normal) && finite(v.t1) && finite(v.t2) && std::isfinite(v.k1) &&
+         std::isfinite(v.k2);
+}
+
+bool finite(const Extremal_mesh_edge& e) {
+  const auto is_finite = [](double x) { return std::isfinite(x); };
+  return std::all_of(e.polyline.begin(), e.polyline.end(), [](const Point& p) { return finite(p); }) &&
+         std::all_of(e.k1.begin(), e.k1.end(), is_finite) && std::all_of(e.k2.begin(), e.k2.end(), is_finite) &&
+         std::isfinite(e.length) && std::isfinite(e.strength) && std::isfinite(e.sharpness);
+}
+
 } // namespace
 
 void Violations::at(const std::string& what, const Point& where) {
@@ -88,7 +100,7 @@ Check check_geometry(const Extremal_mesh& mesh) {
   Violations bad;
   for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
     const Extremal_mesh_vertex& x = mesh.vertex(v);
-    if (!finite(x.point) || !finite(x.normal) || !std::isfinite(x.k1) || !std::isfinite(x.k2))
+    if (!finite(x))
       bad.at(fmt::format("vertex {} has a number that is not finite", v), x.point);
     else if (std::abs(norm(x.normal) - 1) > 1e-9)
       bad.at(fmt::format("the normal of vertex {} is not a unit vector", v), x.point);
@@ -105,11 +117,16 @@ Check check_geometry(const Extremal_mesh& mesh) {
              start);
     else if (x.polyline.front() != start || x.polyline.back() != mesh.vertex(x.target).point)
       bad.at(fmt::format("the polyline of edge {} does not end at its vertices", e), start);
-    else if (!std::all_of(x.polyline.begin(), x.polyline.end(), finite) || !std::isfinite(x.length) ||
-             !std::isfinite(x.strength) || !std::isfinite(x.sharpness))
+    else if (!finite(x))
       bad.at(fmt::format("edge {} has a number that is not finite", e), start);
     else if (x.family != 1 && x.family != 2)
       bad.at(fmt::format("edge {} has the family {}", e, x.family), start);
+  }
+  for (std::size_t c = 0; c < mesh.number_of_cells(); ++c) {
+    const Extremal_mesh_cell& x = mesh.cell(c);
+    if (!std::isfinite(x.area) || !std::isfinite(x.weight))
+      bad.at(fmt::format("cell {} has a number that is not finite", c),
+             x.boundary.empty() || x.boundary[0].empty() ? Point{} : mesh.vertex(mesh.source(x.boundary[0][0])).point);
   }
   return bad.check("geometry", "numbers are finite, normals are unit vectors, k1 ≥ k2, polylines end at their vertices",
                    fmt::format("{} vertices, {} edges", mesh.number_of_vertices(), mesh.number_of_edges()));
