@@ -9,7 +9,7 @@ packages=(
   libboost-graph-dev libtbb-dev libfmt-dev nlohmann-json3-dev libpng-dev zlib1g-dev
   libinsighttoolkit5-dev libcli11-dev
   # to test
-  libgtest-dev python3 python3-networkx python3-numpy
+  libgtest-dev python3 python3-networkx
 )
 
 # installs the packages that are missing. Elsewhere than on Debian and its kin, CMake tells what it does not find.
