@@ -22,11 +22,11 @@ namespace {
 constexpr double pi = std::numbers::pi;
 /// A field is taken for one-to-one if its error, carried back to the plane by its linear model, is below this part of
 /// the cell's radius: for a quadratic deviation that keeps the Jacobian from vanishing in the cell.
-constexpr double one_to_one = 0.3;
+constexpr double one_to_one = 0.17;
 /// Values must keep from 0 by so many times the error.
 constexpr double clearance = 2.0;
 /// A linear model with error r over a cell of radius ρ has a gradient that is wrong by up to this times r/ρ.
-constexpr double gradient_error = 3.0;
+constexpr double gradient_error = 6.0;
 /// Cells narrower than this get additional samples around their middle.
 constexpr double least_aspect = 0.3;
 
@@ -199,6 +199,44 @@ bool families_differ(const std::vector<Border_crossing>& c, std::size_t offset) 
   return true;
 }
 
+/// What the samples of a cell say of it.
+struct Judgement {
+  bool known = false; ///< P and Q have as many zeros as their windings say
+  Content content = Content::undecided;
+};
+
+Judgement judge(const Refined_complex& complex, const std::vector<Half_edge>& border, const Border_crossings& met,
+                const Flat_cell& flat, int wP, int wQ) {
+  const Field_state P = examine(flat.points, flat.P), Q = examine(flat.points, flat.Q);
+  Judgement j;
+  j.known = flat.flat && (P.nonzero || P.simple) && (Q.nonzero || Q.simple);
+  if (!j.known)
+    return j;
+  if (wP == 0 && wQ == 0 && lines_are_certain(complex, border, flat, P, Q, met))
+    j.content = Content::lines;
+  if (std::abs(wP) == 1 && wQ == 0 && P.simple && Q.nonzero && met.crossings.size() == 4 &&
+      families_differ(met.crossings, 1))
+    j.content = Content::extremal_point;
+  if (std::abs(wP) == 1 && std::abs(wQ) == 1 && P.simple && Q.simple)
+    j.content = Content::umbilic;
+  return j;
+}
+
+/// adds the middles of up to three sides to cells with few samples. The corners and the middle of a quadrilateral see nothing of
+/// a saddle x² − y² along its sides, and so would miss two lines that pass each other there.
+bool add_sides(const Refined_complex& complex, const std::vector<Half_edge>& border, const Sample& middle,
+               Flat_cell& flat) {
+  constexpr std::size_t enough = 7; // a quadratic function has 6 coefficients
+  bool added = false;
+  for (std::size_t i = 0; i < border.size() && flat.points.z.size() < enough; ++i) {
+    const Half_edge h = border[i];
+    flat.add(middle, sample_between(complex.surface(), complex.samples()[complex.source(h)],
+                                    complex.samples()[complex.target(h)], 0.5));
+    added = true;
+  }
+  return added;
+}
+
 } // namespace
 
 Border_crossings border_crossings(const Refined_complex& complex, const std::vector<Half_edge>& border) {
@@ -265,25 +303,25 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
   for (const Half_edge h : cell.sides)
     corners.push_back(&complex.samples()[complex.source(h)]);
   Sample middle = sample_amid(complex.surface(), corners);
-  const Flat_cell flat = flatten(complex, border, middle);
-  const Field_state P = examine(flat.points, flat.P), Q = examine(flat.points, flat.Q);
+  Flat_cell flat = flatten(complex, border, middle);
+  Judgement judged = judge(complex, border, met, flat, wP, wQ);
+  if (judged.content != Content::undecided && add_sides(complex, border, middle, flat))
+    judged = judge(complex, border, met, flat, wP, wQ);
   const double size = flat.points.radius;
-  const bool known = flat.flat && (P.nonzero || P.simple) && (Q.nonzero || Q.simple);
   const auto accept = [&](Content content, const Sample& where) {
     result.content = content;
     result.sample = where;
     return result;
   };
 
-  if (known && wP == 0 && wQ == 0 && lines_are_certain(complex, border, flat, P, Q, met)) {
+  if (judged.content == Content::lines) {
     result.content = Content::lines;
     return result;
   }
-  if (known && std::abs(wP) == 1 && wQ == 0 && P.simple && Q.nonzero && met.crossings.size() == 4 &&
-      families_differ(met.crossings, 1))
+  if (judged.content == Content::extremal_point)
     if (const auto at = locate_zero(complex.surface(), Field::P, middle, size, 2 * size))
       return accept(Content::extremal_point, *at);
-  if (known && std::abs(wP) == 1 && std::abs(wQ) == 1 && P.simple && Q.simple)
+  if (judged.content == Content::umbilic)
     if (const auto at = locate_zero(complex.surface(), Field::Q, middle, size, 2 * size)) {
       const Umbilic_class c = classify_umbilic(at->shape.A1, at->shape.A3);
       if (2 * c.index == wQ && c.field_index == -wP && met.crossings.size() == std::size_t(2 * c.ridges) &&
@@ -292,7 +330,7 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
     }
 
   // Where the surface cannot be reached there is nothing to be found out by dividing.
-  const bool no_vertex = known && wP == 0 && wQ == 0;
+  const bool no_vertex = judged.known && wP == 0 && wQ == 0;
   if (middle.exact && (no_vertex ? may_divide_lines : may_divide)) {
     double P_around = 0, Q_around = 0;
     for (std::size_t i = 0; i < flat.border; ++i) {

@@ -35,8 +35,7 @@ struct Extract_options {
   Vector view{}, up{}; ///< zero: the renderer's own
   std::string size;    ///< "WIDTHxHEIGHT"; empty: the renderer's own
   int threads = 0;
-  int max_level = 8;
-  std::optional<int> max_line_level;
+  std::optional<int> max_level, max_line_level;
   bool quiet = false;
 };
 int extract(const Extract_options& options);

@@ -108,9 +108,10 @@ int extract(const Extract_options& options) {
 
   Extraction_options extraction_options;
   extraction_options.threads = options.threads;
-  extraction_options.max_level = options.max_level;
+  extraction_options.max_level = options.max_level.value_or(options.formula ? 14 : 8);
   // The noise of an image makes lines that nearly touch everywhere; to settle them all would take most of the time.
-  extraction_options.max_line_level = options.max_line_level.value_or(options.formula ? options.max_level : 2);
+  extraction_options.max_line_level =
+      options.max_line_level.value_or(options.formula ? extraction_options.max_level : 2);
   extraction_options.patches = outputs.need_patches();
   Result result;
   {

@@ -56,9 +56,9 @@ void add_extract(CLI::App& app, tool::Extract_options& options, std::function<in
   option("--up", options.up, "DX DY DZ", "what points upwards in the picture (0 0 1)");
   option("--size", options.size, "WIDTHxHEIGHT", "of the picture in pixels (1600x1200)");
   option("--threads", options.threads, "N", "0: as many as there are cores (0)");
-  option("--max-level", options.max_level, "N", "how often a cell may be divided (8)");
+  option("--max-level", options.max_level, "N", "how often a cell may be divided (14; images 8)");
   option("--max-line-level", options.max_line_level, "N",
-         "the same where only the course of a line is uncertain (8; images 2)");
+         "the same where only the course of a line is uncertain (14; images 2)");
   command->add_flag("--quiet", options.quiet, "print errors only");
   command->footer("Example:\n  extremal_mesh extract --formula \"x^2/9+y^2/4+z^2-1\" --box -4 -3 -2 4 3 2 "
                   "-o ellipsoid.graphml -o ellipsoid.png\n"
