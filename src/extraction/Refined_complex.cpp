@@ -26,8 +26,11 @@ constexpr double pi = std::numbers::pi;
 constexpr double greatest_turn = 0.6 * pi;
 /// Normals must not turn further along an edge (cos 60°): parallel transport is by the shortest way.
 constexpr double least_normal_cosine = 0.5;
-/// Edges may be divided this many times more than cells.
+/// Edges may be divided this many times more than the cells beside them.
 constexpr int extra_edge_levels = 6;
+/// Dividing ends when there are so many cells for each one of the beginning, and so many more. Only a surface on which
+/// E_g is nearly 0 over an area comes near to it.
+constexpr std::size_t most_cells_for_each = 20, most_cells_more = 50'000;
 
 /// the middle of an edge, moved a little where it would lie on a line or beside a zero: then its
 /// phase, and the turns along the edges to it, would be rounding.
@@ -40,7 +43,7 @@ Sample middle_of(const Surface& surface, const Sample& a, const Sample& b) {
 } // namespace
 
 Refined_complex::Refined_complex(const Surface& surface, const Cell_complex& cells, std::vector<Sample> samples,
-                                 const Extraction_options& options)
+                                 const std::vector<char>& degenerate, const Extraction_options& options)
     : surface_(surface), options_(options), samples_(std::move(samples)), edges_(cells.edges.size()),
       cells_(cells.number_of_cells()) {
   for (std::size_t e = 0; e < edges_.size(); ++e) {
@@ -53,9 +56,12 @@ Refined_complex::Refined_complex(const Surface& surface, const Cell_complex& cel
   closed_ = std::none_of(edges_.begin(), edges_.end(),
                          [](const Refined_edge& e) { return e.cell[0] == no_id || e.cell[1] == no_id; });
   euler_characteristic_ = int(cells.euler_characteristic());
-  for (std::size_t c = 0; c < cells_.size(); ++c)
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
     cells_[c].sides.assign(cells.half_edges.begin() + std::ptrdiff_t(cells.cell_begin[c]),
                            cells.half_edges.begin() + std::ptrdiff_t(cells.cell_begin[c + 1]));
+    cells_[c].degenerate = degenerate[c] != 0;
+  }
+  most_cells_ = most_cells_for_each * cells_.size() + most_cells_more;
   report_.surface_points = cells.points.size();
   report_.surface_cells = cells_.size();
 }
@@ -99,7 +105,14 @@ void Refined_complex::measure(std::uint32_t id) {
 }
 
 bool Refined_complex::should_divide(const Refined_edge& edge) const {
-  if (edge.level >= options_.max_level + extra_edge_levels)
+  int level = 0;
+  for (const std::uint32_t c : edge.cell)
+    if (c != no_id) {
+      if (cells_[c].degenerate)
+        return false;
+      level = std::max(level, int(cells_[c].level));
+    }
+  if (edge.level >= level + extra_edge_levels)
     return false;
   const Sample &a = samples_[edge.a], &b = samples_[edge.b];
   if (dot(a.shape.n, b.shape.n) < least_normal_cosine)
@@ -196,8 +209,8 @@ void Refined_complex::analyse(const std::vector<std::uint32_t>& cells, bool may_
   std::vector<Cell_analysis> found(cells.size());
   pool.for_each(cells.size(), 32, [&](std::size_t i) {
     const Refined_cell& cell = cells_[cells[i]];
-    found[i] = analyse_cell(*this, cell, may_divide && cell.level < options_.max_level,
-                            may_divide && cell.level < std::min(options_.max_level, options_.max_line_level));
+    const bool may = may_divide && !cell.degenerate && cell.level < options_.max_level;
+    found[i] = analyse_cell(*this, cell, may, may && cell.level < options_.max_line_level);
   });
   for (std::size_t i = 0; i < cells.size(); ++i) {
     Refined_cell& cell = cells_[cells[i]];
@@ -226,7 +239,7 @@ void Refined_complex::refine() {
     std::copy_if(touched_.begin(), touched_.end(), std::back_inserter(active),
                  [&](std::uint32_t c) { return !cells_[c].divided; });
     touched_.clear();
-    analyse(active, true);
+    analyse(active, cells_.size() < most_cells_);
     divide.clear();
     std::copy_if(active.begin(), active.end(), std::back_inserter(divide),
                  [&](std::uint32_t c) { return cells_[c].content == Content::undecided; });

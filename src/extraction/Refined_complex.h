@@ -46,16 +46,18 @@ struct Refined_cell {
   std::uint32_t center = no_id; ///< sample at the middle, or at the vertex that the cell holds
   std::uint8_t level = 0;
   bool divided = false;
-  bool certain = true; ///< accepted by the tests, not for want of further levels
+  bool degenerate = false; ///< E_g is 0 up to rounding: what is found here means nothing, and is not looked into
+  bool certain = true;     ///< accepted by the tests, not for want of further levels
   Content content = Content::undecided;
   std::int8_t winding_P = 0, winding_Q = 0;
 };
 
 class Refined_complex {
 public:
-  /// \throws Extraction_error if derivatives are not finite at a point of `cells`
+  /// \param samples  at the points of `cells`
+  /// \param degenerate  of each cell: E_g is 0 there up to rounding
   Refined_complex(const Surface& surface, const Cell_complex& cells, std::vector<Sample> samples,
-                  const Extraction_options& options);
+                  const std::vector<char>& degenerate, const Extraction_options& options);
 
   /// divides edges and cells until all are decided.
   void refine();
@@ -94,6 +96,7 @@ private:
   std::vector<Refined_cell> cells_;
   Folds folds_;
   bool closed_ = true;
+  std::size_t most_cells_ = 0; ///< no cell is divided once there are so many
   int euler_characteristic_ = 0;
   std::vector<std::uint32_t> touched_; ///< cells to be looked at again, as edges around them were divided
   Extraction_report report_;

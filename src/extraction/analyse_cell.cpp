@@ -293,6 +293,8 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
   result.winding_Q = int(std::lround((turn_Q + 2 * complex.holonomy(border)) / (2 * pi)));
   result.winding_P = (met.winding_phi - result.winding_Q) / 2;
   const int wP = result.winding_P, wQ = result.winding_Q;
+  // Φ = P² Q. Where P or Q is 0 up to rounding, its turns are noise and need not fit.
+  const bool consistent = 2 * wP + wQ == met.winding_phi;
 
   if (wP == 0 && wQ == 0 && plainly_empty(complex, border, met)) {
     result.content = Content::lines;
@@ -304,7 +306,9 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
     corners.push_back(&complex.samples()[complex.source(h)]);
   Sample middle = sample_amid(complex.surface(), corners);
   Flat_cell flat = flatten(complex, border, middle);
-  Judgement judged = judge(complex, border, met, flat, wP, wQ);
+  Judgement judged;
+  if (consistent)
+    judged = judge(complex, border, met, flat, wP, wQ);
   if (judged.content != Content::undecided && add_sides(complex, border, middle, flat))
     judged = judge(complex, border, met, flat, wP, wQ);
   const double size = flat.points.radius;
@@ -343,6 +347,8 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
 
   // The finest level: the simplest content with these windings. Crossings beyond what it needs are joined in pairs.
   result.certain = false;
+  if (!consistent)
+    return accept(Content::unresolved, middle);
   if (wP == 0 && wQ == 0) {
     result.content = Content::lines;
     return result;

@@ -62,7 +62,7 @@ Degeneracy find_degeneracy(const Surface& surface, const Cell_complex& cells, co
   for (std::size_t c = 0; c < n; ++c) {
     result.total_area += area[c];
     area_of_state[std::size_t(cell_state[c])] += area[c];
-    result.cells += cell_state[c] != State::generic;
+    result.cells.push_back(cell_state[c] != State::generic);
   }
   result.area = area_of_state[1] + area_of_state[2];
   result.name = area_of_state[1] > area_of_state[2] ? "all its points are umbilics, as on a sphere or a plane"

@@ -15,7 +15,7 @@ namespace CGAL::Extremal_mesh_3 {
 
 /// The part of a surface on which E_g is 0 up to rounding.
 struct Degeneracy {
-  std::size_t cells = 0;
+  std::vector<char> cells; ///< of each cell: it is degenerate
   double area = 0, total_area = 0;
   std::string name; ///< what it looks like: "as on a sphere or a plane", "as on a surface of revolution"…
 };

@@ -85,7 +85,7 @@ Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells,
         fmt::format("E_g is 0 over {:.0f} % of the surface ({}), so its extremal mesh is not defined",
                     100 * degeneracy.area / degeneracy.total_area, degeneracy.name));
 
-  Refined_complex complex(surface, cells, std::move(samples), options);
+  Refined_complex complex(surface, cells, std::move(samples), degeneracy.cells, options);
   complex.refine();
   const Arrangement arrangement(complex, options);
   Extraction result;
@@ -101,7 +101,7 @@ Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells,
     info.area += cell.area;
   info.degenerate_area = degeneracy.area;
   result.report = complex.report();
-  result.report.degenerate_cells = degeneracy.cells;
+  result.report.degenerate_cells = std::size_t(std::count(degeneracy.cells.begin(), degeneracy.cells.end(), char(1)));
   result.mesh = Extremal_mesh(std::move(lines.vertices), std::move(lines.edges), std::move(regions.cells()), info);
   return result;
 }
