@@ -12,7 +12,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
