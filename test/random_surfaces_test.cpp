@@ -61,7 +61,12 @@ TEST_P(Random_surfaces, have_the_same_mesh_at_two_resolutions) {
   // Where two branches leave an umbilic in nearly the same direction no cell of any size keeps them apart: then the two
   // graphs may differ, but the extraction must say that it is not certain.
   const std::size_t uncertain = coarse.report.uncertain_cells + fine.report.uncertain_cells;
-  EXPECT_TRUE(uncertain > 0 || graph_comparison::isomorphic(coarse.mesh, fine.mesh));
+  if (GetParam() == 7) { // a star of three ridges with |A1| = 0.247, |A3| = 0.219
+    EXPECT_GT(uncertain, 0U);
+  } else {
+    EXPECT_EQ(surfaces::counts_of(coarse.mesh), surfaces::counts_of(fine.mesh));
+    EXPECT_TRUE(graph_comparison::isomorphic(coarse.mesh, fine.mesh));
+  }
   RecordProperty("uncertain_cells", int(uncertain));
 
   // The vertices of a dense search, if Poincaré and Hopf say that it found all.
