@@ -8,6 +8,7 @@ packages=(
   g++ cmake ninja-build pkg-config
   libboost-graph-dev libtbb-dev libfmt-dev nlohmann-json3-dev libpng-dev zlib1g-dev
   libinsighttoolkit5-dev libcli11-dev
+  libcgal-dev libeigen3-dev libopenmesh-dev
   # to test
   libgtest-dev python3 python3-networkx
 )

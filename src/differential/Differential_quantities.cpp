@@ -7,6 +7,8 @@
 
 #include "vector.h"
 
+#include <numbers>
+
 namespace CGAL::Extremal_mesh_3 {
 
 namespace {
@@ -80,29 +82,61 @@ Principal_quantities principal_quantities(const Local_shape& s) {
   return r;
 }
 
-double extremality_derivative(const Derivatives& d, const Local_shape& s, int family) {
-  const Principal_quantities pq = principal_quantities(s);
-  const Vector& t = family == 1 ? pq.t1 : pq.t2;
-  const double k = family == 1 ? pq.k1 : pq.k2;
-  const double e = family == 1 ? pq.e1 : pq.e2;
-  const double length = norm(d.gradient);
+namespace {
 
-  // Second derivative of the normal curvature along the geodesic γ that leaves in the principal direction t, from f(γ(s)) = 0
-  // differentiated four times; γ'' = k n, n' = −k t there.
-  const Vector gamma3 = e * s.n - (k * k) * t; // γ'''
-  const double nTtt = quadratic(contract(d.third, s.n), t, t);
-  const double D = -(quartic(d.fourth, t) + 6 * k * nTtt + 3 * k * k * quadratic(d.hessian, s.n, s.n) +
-                     4 * quadratic(d.hessian, t, gamma3)) /
-                       length +
-                   k * k * k;
-
-  // The line of curvature leaves the geodesic: ∇_t1 t1 = C(t1,t1,t2)/(k1 − k2) t2, and likewise for t2.
-  const double theta = std::arg(s.Q) / 2;
+/// the second derivative of the normal curvature along the geodesic γ that leaves in the direction t, at the angle θ
+/// from u: from f(γ(s)) = 0 differentiated four times; γ'' = k n, n' = −L(t) there.
+double along_geodesic(const Derivatives& d, const Local_shape& s, double theta) {
   const Complex w = std::polar(1.0, theta);
+  const Vector v = s.v(), t = w.real() * s.u + w.imag() * v;
+  const Complex Qw = s.Q * std::conj(w); // L(t, ·) = H t + Q w̄ as a complex number
+  const Vector Lt = s.H * t + Qw.real() * s.u + Qw.imag() * v;
+  const double k = dot(Lt, t);
+  const double e = (std::conj(s.A3) * w * w * w + std::conj(s.A1) * w).real();
+  const double length = norm(d.gradient);
+  const Vector gamma3 = e * s.n - k * Lt; // γ'''
+  return -(quartic(d.fourth, t) + 6 * k * quadratic(contract(d.third, s.n), t, t) +
+           3 * k * k * quadratic(d.hessian, s.n, s.n) + 4 * quadratic(d.hessian, t, gamma3)) /
+             length +
+         k * dot(Lt, Lt);
+}
+
+/// ∇e_i·t_i from D(t_i,t_i,t_i,t_i). The line of curvature leaves the geodesic: ∇_t1 t1 = C(t1,t1,t2)/(k1 − k2) t2, and
+/// likewise for t2.
+double along_line_of_curvature(const Local_shape& s, double D, int family) {
+  const Complex w = std::polar(1.0, std::arg(s.Q) / 2);
   const Complex a3 = s.A3 * std::conj(w * w * w), a1 = s.A1 * std::conj(w); // in the principal basis
   const double C112 = a1.imag() / 3 + a3.imag(), C122 = a1.real() / 3 - a3.real();
-  const double R2 = pq.k1 - pq.k2;
-  return family == 1 ? D + 3 * C112 * C112 / R2 : D - 3 * C122 * C122 / R2;
+  const double difference = 2 * std::abs(s.Q);
+  return family == 1 ? D + 3 * C112 * C112 / difference : D - 3 * C122 * C122 / difference;
+}
+
+double principal_angle(const Local_shape& s, int family) {
+  return std::arg(s.Q) / 2 + (family == 1 ? 0 : std::numbers::pi / 2);
+}
+
+} // namespace
+
+double extremality_derivative(const Derivatives& d, const Local_shape& s, int family) {
+  return along_line_of_curvature(s, along_geodesic(d, s, principal_angle(s, family)), family);
+}
+
+Fourth_order_form fourth_order_form(const Derivatives& d, const Local_shape& s) {
+  // A trigonometric polynomial in 2θ of degree 2 is known from five values.
+  constexpr int n = 5;
+  Fourth_order_form form;
+  for (int i = 0; i < n; ++i) {
+    const double theta = i * std::numbers::pi / n, D = along_geodesic(d, s, theta);
+    form.D0 += D / n;
+    form.D2 += 2 * D / n * std::polar(1.0, 2 * theta);
+    form.D4 += 2 * D / n * std::polar(1.0, 4 * theta);
+  }
+  return form;
+}
+
+double extremality_derivative(const Local_shape& s, const Fourth_order_form& D, int family) {
+  const Complex w = std::polar(1.0, 2 * principal_angle(s, family));
+  return along_line_of_curvature(s, D.D0 + (std::conj(D.D2) * w + std::conj(D.D4) * w * w).real(), family);
 }
 
 namespace {

@@ -55,6 +55,23 @@ Principal_quantities principal_quantities(const Local_shape& s);
 /// \return in 1/length³; not finite at an umbilic
 double extremality_derivative(const Derivatives& d, const Local_shape& s, int family);
 
+/// The derivative of C along the surface, made symmetric (what ∇C is not in by itself are products of curvatures), in
+/// the basis of a `Local_shape`: for a unit tangent t at the angle θ, D(t,t,t,t) = D0 + Re(D̄2 e^{2iθ} + D̄4 e^{4iθ}) is the
+/// second derivative of the normal curvature along the geodesic that leaves in the direction t.
+struct Fourth_order_form {
+  double D0 = 0;           ///< in 1/length³
+  std::complex<double> D2; ///< multiplied by e^{−2iα} under a rotation of the basis by α
+  std::complex<double> D4; ///< multiplied by e^{−4iα}
+};
+
+/// computes the fourth-order form of the surface `f = 0`.
+/// \param d  derivatives of `f` up to order 4
+/// \param s  `local_shape(d)`
+Fourth_order_form fourth_order_form(const Derivatives& d, const Local_shape& s);
+
+/// the same ∇e_i·t_i from the fourth-order form.
+double extremality_derivative(const Local_shape& s, const Fourth_order_form& D, int family);
+
 /// The generic umbilic with given third-order form.
 struct Umbilic_class {
   double index = 0;    ///< of the line field of curvature: +½, −½, or 0 if not generic

@@ -6,6 +6,7 @@
 #include <CGAL/Extremal_mesh_3/Cell_complex.h>
 #include <CGAL/Extremal_mesh_3/Extremal_mesh.h>
 #include <CGAL/Extremal_mesh_3/Function_3.h>
+#include <CGAL/Extremal_mesh_3/Vertex_shapes.h>
 #include <CGAL/Extremal_mesh_3/errors.h>
 
 #include <cstddef>
@@ -63,6 +64,15 @@ Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, co
 /// extracts the extremal mesh of the surface `f = 0` from cells that lie on it.
 /// \throws Degenerate_surface_error if `E_g = 0` (up to rounding) over most of the surface
 Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells, const Extraction_options& options = {});
+
+/// extracts the extremal mesh of a surface that is known at the points of its cells only. Between them L and C are
+/// interpolated linearly in a common frame, so that Φ is a polynomial along every edge.
+/// \param shapes  one per point of `cells`, by `fit_vertex_shapes()` or from the caller's own knowledge
+/// \throws std::invalid_argument if there are not as many shapes as points, or one that is not finite
+///         Extraction_error if hardly any vertex could be fitted
+///         Degenerate_surface_error if `E_g = 0` (up to the shapes' errors) over most of the surface
+Extraction extract_extremal_mesh(const Cell_complex& cells, const Vertex_shapes& shapes,
+                                 const Extraction_options& options = {});
 
 /// `make_implicit_cells()`, then extraction.
 Extraction extract_extremal_mesh(const Function_3& f, const Lattice& lattice, const Extraction_options& options = {});

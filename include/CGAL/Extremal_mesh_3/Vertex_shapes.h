@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_EXTREMAL_MESH_3_VERTEX_SHAPES_H
+#define CGAL_EXTREMAL_MESH_3_VERTEX_SHAPES_H
+
+#include <CGAL/Extremal_mesh_3/Differential_quantities.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Extremal_mesh_3 {
+
+/// How the shape at a vertex was found.
+enum class Fit_state : std::uint8_t {
+  given,          ///< by the caller
+  fitted,         ///< by a jet of degree 4
+  too_few_points, ///< the component of the surface has too few vertices; there is no shape
+  rank_deficient  ///< its vertices do not determine a jet (they lie on a few lines); there is no shape
+};
+
+/// How well a jet fits.
+struct Fit_quality {
+  Fit_state state = Fit_state::given;
+  std::uint32_t points = 0; ///< in the neighbourhood, the vertex included
+  double radius = 0;        ///< of the neighbourhood, a length
+  double condition = 1;     ///< √ of the largest variance inflation of a coefficient; 1 is best
+  double residual = 0;      ///< weighted root mean square of the distances to the jet, a length
+  double L_error = 0;       ///< standard error of the components of L that the residual implies, in 1/length
+  double C_error = 0;       ///< the same of C, in 1/length²
+
+  bool known() const { return state == Fit_state::given || state == Fit_state::fitted; }
+};
+
+/// The shape of a surface at each vertex of its cells.
+struct Vertex_shapes {
+  std::vector<Local_shape> shapes;
+  std::vector<Fourth_order_form> fourth; ///< empty: not known; then differences of C stand for it
+  std::vector<Fit_quality> quality;      ///< empty: all given and exact
+};
+
+} // namespace CGAL::Extremal_mesh_3
+
+#endif // CGAL_EXTREMAL_MESH_3_VERTEX_SHAPES_H
