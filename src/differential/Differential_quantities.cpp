@@ -5,6 +5,7 @@
 // complex notation in which nothing is singular at umbilics.
 #include <CGAL/Extremal_mesh_3/Differential_quantities.h>
 
+#include "umbilic_lines.h"
 #include "vector.h"
 
 #include <numbers>
@@ -160,9 +161,22 @@ int real_lines(const std::array<Complex, 4>& c) {
   return real_roots(a, (p - m) / 2, (p + m) / 2, d);
 }
 
+/// the number of extremal lines where P = p z + q z̄ and Q = α z + β z̄ vanish.
+int lines_through_umbilic(Complex p, Complex q, Complex alpha, Complex beta) {
+  return real_lines({p * p * alpha, p * p * beta + 2.0 * p * q * alpha, q * q * alpha + 2.0 * p * q * beta,
+                     q * q * beta});
+}
+
 int sign(double x) { return (x > 0) - (x < 0); }
 
 } // namespace
+
+int lines_through_umbilic(const Linear_field& P, const Linear_field& Q) {
+  // X = a z + b z̄
+  const auto a = [](const Linear_field& X) { return (X.x - Complex(0, 1) * X.y) / 2.0; };
+  const auto b = [](const Linear_field& X) { return (X.x + Complex(0, 1) * X.y) / 2.0; };
+  return lines_through_umbilic(a(P), b(P), a(Q), b(Q));
+}
 
 Umbilic_class classify_umbilic(Complex A1, Complex A3) {
   const double a1 = std::norm(A1), a3 = std::norm(A3);
@@ -176,8 +190,7 @@ Umbilic_class classify_umbilic(Complex A1, Complex A3) {
   const Complex alpha = A1 / 3.0, beta = A3;
   const Complex p = std::conj(A3) * alpha + A1 * std::conj(beta);
   const Complex q = std::conj(A3) * beta + A1 * std::conj(alpha);
-  c.ridges = real_lines({p * p * alpha, p * p * beta + 2.0 * p * q * alpha, q * q * alpha + 2.0 * p * q * beta,
-                         q * q * beta});
+  c.ridges = lines_through_umbilic(p, q, alpha, beta);
   // Lines of curvature that end at the umbilic leave in directions z with Q parallel to z²: Im(Q z̄²) = 0.
   const int separatrices = real_lines({0, 0, alpha, beta});
   c.type = c.index < 0 ? Umbilic_type::star : (separatrices == 1 ? Umbilic_type::lemon : Umbilic_type::monstar);

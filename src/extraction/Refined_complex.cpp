@@ -37,7 +37,7 @@ constexpr std::size_t most_cells_for_each = 20, most_cells_more = 50'000;
 Sample middle_of(const Surface& surface, const Sample& a, const Sample& b) {
   const Sample middle = sample_between(surface, a, b, 0.5);
   return nudged(surface, middle, 0.5 * distance(a.p, b.p), std::max(std::abs(a.P), std::abs(b.P)),
-                std::max(std::abs(a.shape.Q), std::abs(b.shape.Q)));
+                std::max(std::abs(a.shape.Q), std::abs(b.shape.Q)), {&a, &b});
 }
 
 } // namespace

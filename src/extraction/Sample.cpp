@@ -46,7 +46,8 @@ Moved_fields moved_to(const Sample& a, const Sample& b) {
   return {a.P * std::conj(z), a.shape.Q * z * z};
 }
 
-Sample interpolate(const std::vector<const Sample*>& samples, const std::vector<double>& weights) {
+Sample interpolate(const Surface& surface, const std::vector<const Sample*>& samples,
+                   const std::vector<double>& weights) {
   Sample mean;
   Vector n{};
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -63,11 +64,19 @@ Sample interpolate(const std::vector<const Sample*>& samples, const std::vector<
     mean.shape.Q += weights[i] * s.Q * z * z;
     mean.shape.A1 += weights[i] * s.A1 * z;
     mean.shape.A3 += weights[i] * s.A3 * z * z * z;
+    const Fourth_order_form& D = samples[i]->fourth;
+    mean.fourth.D0 += weights[i] * D.D0;
+    mean.fourth.D2 += weights[i] * D.D2 * z * z;
+    mean.fourth.D4 += weights[i] * D.D4 * z * z * z * z;
   }
-  return Sample(mean.p, mean.shape, false);
+  Sample result(mean.p, mean.shape, surface.interpolates());
+  result.fourth = mean.fourth;
+  return result;
 }
 
 Sample sample_between(const Surface& surface, const Sample& a, const Sample& b, double t, double accuracy) {
+  if (surface.interpolates())
+    return interpolate(surface, {&a, &b}, {1 - t, t});
   const Vector chord = b.p - a.p;
   const Vector sum = (1 - t) * a.shape.n + t * b.shape.n;
   const double length = norm(sum), reach = 0.5 * norm(chord);
@@ -83,11 +92,13 @@ Sample sample_between(const Surface& surface, const Sample& a, const Sample& b, 
     if (const auto s = accepted(surface, x, n, reach, accuracy))
       return *s;
   }
-  return interpolate({&a, &b}, {1 - t, t});
+  return interpolate(surface, {&a, &b}, {1 - t, t});
 }
 
 Sample sample_amid(const Surface& surface, const std::vector<const Sample*>& corners) {
   const double w = 1 / double(corners.size());
+  if (surface.interpolates())
+    return interpolate(surface, corners, std::vector<double>(corners.size(), w));
   Point x{};
   Vector sum{};
   for (const Sample* s : corners) {
@@ -109,7 +120,7 @@ Sample sample_amid(const Surface& surface, const std::vector<const Sample*>& cor
     if (const auto s = accepted(surface, flat ? x + height * n : x, n, radius, Surface::to_look))
       return *s;
   }
-  return interpolate(corners, std::vector<double>(corners.size(), w));
+  return interpolate(surface, corners, std::vector<double>(corners.size(), w));
 }
 
 } // namespace CGAL::Extremal_mesh_3

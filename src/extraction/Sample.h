@@ -19,6 +19,7 @@ using Complex = std::complex<double>;
 struct Sample {
   Point p{};
   Local_shape shape;
+  Fourth_order_form fourth; ///< only on surfaces that interpolate
   Complex P;
   double phase = 0; ///< arg Φ in [0, π) where E_g ≥ 0, else in [−π, 0); lines lie where it is a multiple of π
   bool positive = true; ///< E_g ≥ 0; sign(0) is +
@@ -42,6 +43,8 @@ public:
   /// ∇e_i·t_i, for the family i.
   /// \param step  a length that is small here, for surfaces that must take differences
   virtual double extremality_derivative(const Sample& s, int family, double step) const = 0;
+  /// there are no samples but those given at vertices: what is interpolated between them *is* the surface.
+  virtual bool interpolates() const { return false; }
 
 protected:
   Surface() = default;
@@ -59,8 +62,9 @@ struct Moved_fields {
 };
 Moved_fields moved_to(const Sample& a, const Sample& b);
 
-/// the weighted mean of samples: L and C are interpolated in a common frame.
-Sample interpolate(const std::vector<const Sample*>& samples, const std::vector<double>& weights);
+/// the weighted mean of samples: L, C and the fourth-order form are interpolated in a common frame.
+Sample interpolate(const Surface& surface, const std::vector<const Sample*>& samples,
+                   const std::vector<double>& weights);
 
 /// the point of the surface above the chord from a to b at parameter t; interpolated where the surface cannot be
 /// reached. Exchanging the ends and taking 1 − t gives the same point, to the last bit for t = ½.

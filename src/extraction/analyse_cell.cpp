@@ -7,6 +7,7 @@
 // border says whether it has.
 #include "analyse_cell.h"
 
+#include "../differential/umbilic_lines.h"
 #include "../differential/vector.h"
 #include "linear_fit.h"
 #include "locate.h"
@@ -203,6 +204,7 @@ bool families_differ(const std::vector<Border_crossing>& c, std::size_t offset) 
 struct Judgement {
   bool known = false; ///< P and Q have as many zeros as their windings say
   Content content = Content::undecided;
+  int lines = 0; ///< through the zero of Q, if P and Q were linear
 };
 
 Judgement judge(const Refined_complex& complex, const std::vector<Half_edge>& border, const Border_crossings& met,
@@ -217,9 +219,25 @@ Judgement judge(const Refined_complex& complex, const std::vector<Half_edge>& bo
   if (std::abs(wP) == 1 && wQ == 0 && P.simple && Q.nonzero && met.crossings.size() == 4 &&
       families_differ(met.crossings, 1))
     j.content = Content::extremal_point;
-  if (std::abs(wP) == 1 && std::abs(wQ) == 1 && P.simple && Q.simple)
+  if (std::abs(wP) == 1 && std::abs(wQ) == 1 && P.simple && Q.simple) {
     j.content = Content::umbilic;
+    j.lines = lines_through_umbilic({P.fit.x, P.fit.y}, {Q.fit.x, Q.fit.y});
+  }
   return j;
+}
+
+/// tells whether the branches that reach the border are those that the umbilic must have. On a surface that
+/// interpolates, the gradients of P and Q are only nearly what C says: there they decide themselves.
+bool has_generic_umbilic(const Surface& surface, const Sample& umbilic, const Judgement& judged,
+                         const Border_crossings& met, int wP, int wQ) {
+  int lines = judged.lines;
+  if (!surface.interpolates()) {
+    const Umbilic_class c = classify_umbilic(umbilic.shape.A1, umbilic.shape.A3);
+    if (2 * c.index != wQ || c.field_index != -wP)
+      return false;
+    lines = c.ridges;
+  }
+  return met.crossings.size() == std::size_t(2 * lines) && families_differ(met.crossings, met.crossings.size() / 2);
 }
 
 /// adds the middles of up to three sides to cells with few samples. The corners and the middle of a quadrilateral see nothing of
@@ -258,7 +276,8 @@ Border_crossings border_crossings(const Refined_complex& complex, const std::vec
   return met;
 }
 
-Sample nudged(const Surface& surface, const Sample& s, double size, double P_around, double Q_around) {
+Sample nudged(const Surface& surface, const Sample& s, double size, double P_around, double Q_around,
+              const std::vector<const Sample*>& around) {
   constexpr double on_line = 1e-4, small = 0.03, part = 0.14, golden_angle = 2.399963229728653;
   const auto badness = [&](const Sample& x) {
     const double off_line = std::abs(std::sin(x.phase)) / on_line;
@@ -268,14 +287,21 @@ Sample nudged(const Surface& surface, const Sample& s, double size, double P_aro
   if (!(best < 1) || !s.exact)
     return s;
   Sample chosen = s;
-  for (int i = 0; i < 5 && best < 1; ++i) {
-    const double angle = golden_angle * (i + 1);
-    const Vector d = std::cos(angle) * s.shape.u + std::sin(angle) * s.shape.v();
-    const auto other = surface.sample(s.p + part * size * d, s.shape.n, size);
+  const auto try_one = [&](const std::optional<Sample>& other) {
     if (other && badness(*other) > best) {
       best = badness(*other);
       chosen = *other;
     }
+  };
+  if (surface.interpolates()) {
+    for (std::size_t i = 0; i < around.size() && best < 1; ++i)
+      try_one(interpolate(surface, {&s, around[i]}, {1 - part, part}));
+    return chosen;
+  }
+  for (int i = 0; i < 5 && best < 1; ++i) {
+    const double angle = golden_angle * (i + 1);
+    const Vector d = std::cos(angle) * s.shape.u + std::sin(angle) * s.shape.v();
+    try_one(surface.sample(s.p + part * size * d, s.shape.n, size));
   }
   return chosen;
 }
@@ -322,16 +348,21 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
     result.content = Content::lines;
     return result;
   }
+  const auto zero_of = [&](Field field) {
+    if (!complex.surface().interpolates())
+      return locate_zero(complex.surface(), field, middle, size, 2 * size);
+    std::vector<const Sample*> around;
+    for (const Half_edge h : border)
+      around.push_back(&complex.samples()[complex.source(h)]);
+    return locate_zero_between(complex.surface(), field, around, middle);
+  };
   if (judged.content == Content::extremal_point)
-    if (const auto at = locate_zero(complex.surface(), Field::P, middle, size, 2 * size))
+    if (const auto at = zero_of(Field::P))
       return accept(Content::extremal_point, *at);
   if (judged.content == Content::umbilic)
-    if (const auto at = locate_zero(complex.surface(), Field::Q, middle, size, 2 * size)) {
-      const Umbilic_class c = classify_umbilic(at->shape.A1, at->shape.A3);
-      if (2 * c.index == wQ && c.field_index == -wP && met.crossings.size() == std::size_t(2 * c.ridges) &&
-          families_differ(met.crossings, met.crossings.size() / 2))
+    if (const auto at = zero_of(Field::Q))
+      if (has_generic_umbilic(complex.surface(), *at, judged, met, wP, wQ))
         return accept(Content::umbilic, *at);
-    }
 
   // Where the surface cannot be reached there is nothing to be found out by dividing.
   const bool no_vertex = judged.known && wP == 0 && wQ == 0;
@@ -341,7 +372,7 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
       P_around = std::max(P_around, std::abs(flat.P[i]));
       Q_around = std::max(Q_around, std::abs(flat.Q[i]));
     }
-    result.sample = nudged(complex.surface(), middle, size, P_around, Q_around);
+    result.sample = nudged(complex.surface(), middle, size, P_around, Q_around, corners);
     return result;
   }
 
@@ -354,10 +385,9 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
     return result;
   }
   if (std::abs(wP) == 1 && wQ == 0)
-    return accept(Content::extremal_point,
-                  locate_zero(complex.surface(), Field::P, middle, size, 2 * size).value_or(middle));
+    return accept(Content::extremal_point, zero_of(Field::P).value_or(middle));
   if (std::abs(wP) == 1 && std::abs(wQ) == 1)
-    return accept(Content::umbilic, locate_zero(complex.surface(), Field::Q, middle, size, 2 * size).value_or(middle));
+    return accept(Content::umbilic, zero_of(Field::Q).value_or(middle));
   return accept(Content::unresolved, middle);
 }
 

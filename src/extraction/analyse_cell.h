@@ -42,7 +42,9 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
 
 /// the sample, or one moved within the surface by a small part of `size` if it lies on a line, or so near to a
 /// zero of P or Q that |P| or |Q| is small against the values around.
-Sample nudged(const Surface& surface, const Sample& s, double size, double P_around, double Q_around);
+/// \param around  samples towards which it may be moved on a surface that interpolates
+Sample nudged(const Surface& surface, const Sample& s, double size, double P_around, double Q_around,
+              const std::vector<const Sample*>& around);
 
 } // namespace CGAL::Extremal_mesh_3
 

@@ -6,6 +6,7 @@
 #include "../differential/vector.h"
 #include "Arrangement.h"
 #include "Implicit_surface.h"
+#include "Interpolated_surface.h"
 #include "Line_tracer.h"
 #include "Refined_complex.h"
 #include "Regions.h"
@@ -22,7 +23,31 @@ namespace CGAL::Extremal_mesh_3 {
 
 namespace {
 
-/// the samples at the corners of the cells, moved a little off lines and zeros.
+/// moves samples at the corners of the cells a little off lines and zeros.
+void nudge_corners(const Surface& surface, const Cell_complex& cells, std::vector<Sample>& samples, Thread_pool& pool) {
+  const std::size_t n = cells.points.size();
+  struct Around {
+    double shortest = std::numeric_limits<double>::infinity(), P = 0, Q = 0;
+    std::vector<const Sample*> samples;
+  };
+  std::vector<Around> around(n);
+  const std::vector<Sample> given = surface.interpolates() ? samples : std::vector<Sample>();
+  for (const auto& [a, b] : cells.edges) {
+    const double length = distance(samples[a].p, samples[b].p);
+    for (const auto& [i, j] : {std::pair{a, b}, std::pair{b, a}}) {
+      around[i].shortest = std::min(around[i].shortest, length);
+      around[i].P = std::max(around[i].P, std::abs(samples[j].P));
+      around[i].Q = std::max(around[i].Q, std::abs(samples[j].shape.Q));
+      if (surface.interpolates())
+        around[i].samples.push_back(&given[j]);
+    }
+  }
+  pool.for_each(n, 64, [&](std::size_t i) {
+    samples[i] = nudged(surface, samples[i], 0.5 * around[i].shortest, around[i].P, around[i].Q, around[i].samples);
+  });
+}
+
+/// the samples at points that lie on a surface already.
 std::vector<Sample> sample_corners(const Implicit_surface& surface, const Cell_complex& cells, Thread_pool& pool) {
   const std::size_t n = cells.points.size();
   std::vector<Sample> samples(n);
@@ -31,22 +56,7 @@ std::vector<Sample> sample_corners(const Implicit_surface& surface, const Cell_c
     if (!std::isfinite(samples[i].phase))
       throw Extraction_error(fmt::format("the derivatives are not finite, or the gradient is 0, at ({}, {}, {})",
                                          samples[i].p[0], samples[i].p[1], samples[i].p[2]));
-
-  struct Around {
-    double shortest = std::numeric_limits<double>::infinity(), P = 0, Q = 0;
-  };
-  std::vector<Around> around(n);
-  for (const auto& [a, b] : cells.edges) {
-    const double length = distance(samples[a].p, samples[b].p);
-    for (const auto& [i, j] : {std::pair{a, b}, std::pair{b, a}}) {
-      around[i].shortest = std::min(around[i].shortest, length);
-      around[i].P = std::max(around[i].P, std::abs(samples[j].P));
-      around[i].Q = std::max(around[i].Q, std::abs(samples[j].shape.Q));
-    }
-  }
-  pool.for_each(n, 64, [&](std::size_t i) {
-    samples[i] = nudged(surface, samples[i], 0.5 * around[i].shortest, around[i].P, around[i].Q);
-  });
+  nudge_corners(surface, cells, samples, pool);
   return samples;
 }
 
@@ -67,24 +77,24 @@ std::size_t count_components(const Cell_complex& cells) {
   return components;
 }
 
-} // namespace
-
-Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells, const Extraction_options& options) {
+void require_valid(const Extraction_options& options) {
   if (options.max_level < 0 || options.max_level > 40)
     throw std::invalid_argument(fmt::format("max_level is {}, not in 0 … 40", options.max_level));
   if (options.max_line_level < 0)
     throw std::invalid_argument(fmt::format("max_line_level is {}, less than 0", options.max_line_level));
-  if (cells.number_of_cells() == 0)
-    throw Extraction_error("the surface has no cells");
-  Thread_pool pool(options.threads);
-  const Implicit_surface surface(f);
-  std::vector<Sample> samples = sample_corners(surface, cells, pool);
-  const Degeneracy degeneracy = find_degeneracy(surface, cells, samples, pool);
+}
+
+void require_generic(const Degeneracy& degeneracy) {
   if (degeneracy.area > 0.5 * degeneracy.total_area)
     throw Degenerate_surface_error(
         fmt::format("E_g is 0 over {:.0f} % of the surface ({}), so its extremal mesh is not defined",
                     100 * degeneracy.area / degeneracy.total_area, degeneracy.name));
+}
 
+/// divides the cells, draws the lines across them, and gathers the mesh that they make.
+/// \param samples  at the points of the cells
+Extraction extract(const Surface& surface, const Cell_complex& cells, std::vector<Sample> samples,
+                   const Degeneracy& degeneracy, const Extraction_options& options) {
   Refined_complex complex(surface, cells, std::move(samples), degeneracy.cells, options);
   complex.refine();
   const Arrangement arrangement(complex, options);
@@ -104,6 +114,34 @@ Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells,
   result.report.degenerate_cells = std::size_t(std::count(degeneracy.cells.begin(), degeneracy.cells.end(), char(1)));
   result.mesh = Extremal_mesh(std::move(lines.vertices), std::move(lines.edges), std::move(regions.cells()), info);
   return result;
+}
+
+} // namespace
+
+Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells, const Extraction_options& options) {
+  require_valid(options);
+  if (cells.number_of_cells() == 0)
+    throw Extraction_error("the surface has no cells");
+  Thread_pool pool(options.threads);
+  const Implicit_surface surface(f);
+  std::vector<Sample> samples = sample_corners(surface, cells, pool);
+  const Degeneracy degeneracy = find_degeneracy(surface, cells, samples, pool);
+  require_generic(degeneracy);
+  return extract(surface, cells, std::move(samples), degeneracy, options);
+}
+
+Extraction extract_extremal_mesh(const Cell_complex& cells, const Vertex_shapes& shapes,
+                                 const Extraction_options& options) {
+  require_valid(options);
+  if (cells.number_of_cells() == 0)
+    throw Extraction_error("the surface has no cells");
+  Thread_pool pool(options.threads);
+  const Interpolated_surface surface;
+  std::vector<Sample> samples = surface.samples(cells, shapes);
+  const Degeneracy degeneracy = find_degeneracy(surface, cells, samples, pool);
+  require_generic(degeneracy);
+  nudge_corners(surface, cells, samples, pool);
+  return extract(surface, cells, std::move(samples), degeneracy, options);
 }
 
 Extraction extract_extremal_mesh(const Function_3& f, const Lattice& lattice, const Extraction_options& options) {

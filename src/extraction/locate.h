@@ -17,6 +17,11 @@ enum class Field : std::uint8_t { P, Q };
 /// \param reach  how far from `start` it may lie
 std::optional<Sample> locate_zero(const Surface& surface, Field field, const Sample& start, double size, double reach);
 
+/// a zero of P or Q on a surface that interpolates: in one of the triangles that join the middle of a cell with its
+/// border.
+std::optional<Sample> locate_zero_between(const Surface& surface, Field field, const std::vector<const Sample*>& border,
+                                          const Sample& middle);
+
 } // namespace CGAL::Extremal_mesh_3
 
 #endif // EXTREMAL_MESH_3_SRC_EXTRACTION_LOCATE_H

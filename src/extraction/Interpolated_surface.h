@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef EXTREMAL_MESH_3_SRC_EXTRACTION_INTERPOLATED_SURFACE_H
+#define EXTREMAL_MESH_3_SRC_EXTRACTION_INTERPOLATED_SURFACE_H
+
+#include "Sample.h"
+
+#include <CGAL/Extremal_mesh_3/Cell_complex.h>
+#include <CGAL/Extremal_mesh_3/Vertex_shapes.h>
+
+namespace CGAL::Extremal_mesh_3 {
+
+/// A surface that is known at the points of its cells only. Between them L, C and the fourth-order form are interpolated:
+/// linearly along edges, and within a cell from the values at its corners and its middle.
+class Interpolated_surface : public Surface {
+public:
+  std::optional<Sample> sample(const Point&, const Vector&, double, double) const override { return std::nullopt; }
+  double extremality_derivative(const Sample& s, int family, double) const override {
+    return CGAL::Extremal_mesh_3::extremality_derivative(s.shape, s.fourth, family);
+  }
+  bool interpolates() const override { return true; }
+
+  /// the samples at the points of the cells.
+  /// \throws std::invalid_argument if the shapes do not fit the cells or are not finite
+  std::vector<Sample> samples(const Cell_complex& cells, const Vertex_shapes& shapes) const;
+};
+
+} // namespace CGAL::Extremal_mesh_3
+
+#endif // EXTREMAL_MESH_3_SRC_EXTRACTION_INTERPOLATED_SURFACE_H
