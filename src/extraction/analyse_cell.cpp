@@ -294,8 +294,11 @@ Sample nudged(const Surface& surface, const Sample& s, double size, double P_aro
     }
   };
   if (surface.interpolates()) {
-    for (std::size_t i = 0; i < around.size() && best < 1; ++i)
-      try_one(interpolate(surface, {&s, around[i]}, {1 - part, part}));
+    // Not straight towards another sample: what lies here would then lie on the edge from the opposite one.
+    const std::size_t n = around.size();
+    for (std::size_t i = 0; i < n && best < 1; ++i)
+      try_one(interpolate(surface, {&s, around[i], around[(i + 1) % n], around[(i + 2) % n]},
+                          {1 - part, 0.6 * part, 0.3 * part, 0.1 * part}));
     return chosen;
   }
   for (int i = 0; i < 5 && best < 1; ++i) {
