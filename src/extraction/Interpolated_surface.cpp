@@ -13,11 +13,12 @@ namespace CGAL::Extremal_mesh_3 {
 
 namespace {
 
-bool finite(const Sample& s) {
-  return std::isfinite(dot(s.p, s.p)) && std::isfinite(s.shape.H) && std::isfinite(s.phase) &&
-         std::isfinite(std::norm(s.shape.A1) + std::norm(s.shape.A3)) &&
-         std::isfinite(s.fourth.D0 + std::norm(s.fourth.D2) + std::norm(s.fourth.D4));
+bool finite(const Local_shape& s) {
+  return std::isfinite(dot(s.n, s.n) + s.H + std::norm(s.Q) + std::norm(s.A1) + std::norm(s.A3)) &&
+         std::isfinite(std::norm(s.Phi()));
 }
+
+bool finite(const Fourth_order_form& D) { return std::isfinite(D.D0 + std::norm(D.D2) + std::norm(D.D4)); }
 
 /// tells whether u and n are the orthonormal vectors that a shape must have, up to rounding of the caller's.
 bool has_frame(const Local_shape& s) {
@@ -74,30 +75,34 @@ void require_as_many(const char* what, std::size_t number, std::size_t points) {
 
 } // namespace
 
-std::vector<Sample> Interpolated_surface::samples(const Cell_complex& cells, const Vertex_shapes& shapes) const {
+void Interpolated_surface::require_valid(const Cell_complex& cells, const Vertex_shapes& shapes) const {
   const std::size_t n = cells.points.size();
   require_as_many("shapes", shapes.shapes.size(), n);
   if (!shapes.fourth.empty())
     require_as_many("fourth-order forms", shapes.fourth.size(), n);
   if (!shapes.quality.empty())
     require_as_many("fit qualities", shapes.quality.size(), n);
-  std::vector<Sample> samples;
-  samples.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
-    samples.emplace_back(cells.points[i], shapes.shapes[i], true);
-    if (!shapes.fourth.empty())
-      samples.back().fourth = shapes.fourth[i];
-    if (!finite(samples.back()))
+    if (!shapes.quality.empty() && !shapes.quality[i].known())
+      continue;
+    if (!finite(shapes.shapes[i]) || (!shapes.fourth.empty() && !finite(shapes.fourth[i])))
       throw std::invalid_argument(fmt::format("the shape at point {} is not finite", i));
     if (!has_frame(shapes.shapes[i]))
       throw std::invalid_argument(
           fmt::format("the normal and the tangent of the shape at point {} are not orthonormal", i));
   }
-  if (shapes.fourth.empty()) {
-    const std::vector<Fourth_order_form> forms = differences_of_C(cells, samples);
-    for (std::size_t i = 0; i < n; ++i)
-      samples[i].fourth = forms[i];
-  }
+}
+
+std::vector<Sample> Interpolated_surface::samples(const Cell_complex& cells, const Vertex_shapes& shapes) const {
+  const std::size_t n = cells.points.size();
+  std::vector<Sample> samples;
+  samples.reserve(n);
+  for (std::size_t i = 0; i < n; ++i)
+    samples.emplace_back(cells.points[i], shapes.shapes[i], true);
+  const std::vector<Fourth_order_form>& fourth =
+      shapes.fourth.empty() ? differences_of_C(cells, samples) : shapes.fourth;
+  for (std::size_t i = 0; i < n; ++i)
+    samples[i].fourth = fourth[i];
   return samples;
 }
 

@@ -20,8 +20,12 @@ public:
   }
   bool interpolates() const override { return true; }
 
+  /// \throws std::invalid_argument if there are not as many shapes as points, or one that is known is not finite or has no
+  ///         orthonormal frame
+  void require_valid(const Cell_complex& cells, const Vertex_shapes& shapes) const;
+
   /// the samples at the points of the cells.
-  /// \throws std::invalid_argument if the shapes do not fit the cells or are not finite
+  /// \pre the shapes are valid and all known
   std::vector<Sample> samples(const Cell_complex& cells, const Vertex_shapes& shapes) const;
 };
 

@@ -2,39 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Regions.h"
 
+#include "../cells/Union_find.h"
 #include "../differential/vector.h"
 
 #include <cmath>
-#include <numeric>
 #include <unordered_map>
 
 namespace CGAL::Extremal_mesh_3 {
 
 namespace {
-
-/// Disjoint sets, each named by its smallest element.
-class Union_find {
-public:
-  explicit Union_find(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) {
-      parent_[i] = parent_[parent_[i]];
-      i = parent_[i];
-    }
-    return i;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    if (a < b)
-      parent_[b] = a;
-    else
-      parent_[a] = b;
-  }
-
-private:
-  std::vector<std::uint32_t> parent_;
-};
 
 /// √|E_g|; 0 at an umbilic, where E_g has no limit.
 double root_extremality(const Sample& s) {

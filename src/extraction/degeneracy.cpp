@@ -7,6 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <utility>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -14,54 +19,102 @@ namespace {
 
 enum class State : std::uint8_t { generic, umbilic, canal };
 
-/// \param least_curvature  below this a curvature is rounding (a plane has no curvature to compare with)
-State state_of(const Sample& s, double least_curvature) {
-  // Third derivatives carry a relative error of some 1e-13 when the function is a formula; 1e-9 is far above
-  // that and far below anything that a surface shows by chance over a whole cell.
-  constexpr double rounding = 1e-9;
-  const Principal_quantities q = principal_quantities(s.shape);
-  const double k = std::max({std::abs(q.k1), std::abs(q.k2), least_curvature});
-  if (std::abs(s.shape.Q) < rounding * k && std::abs(s.shape.A1) + std::abs(s.shape.A3) < rounding * k * k)
+/// How large the components of L and C can be and still be 0.
+struct Tolerance {
+  double L, C;
+};
+
+State state_of(const Sample& s, const Tolerance& zero) {
+  const double R = std::abs(s.shape.Q);
+  if (R < zero.L && std::abs(s.shape.A1) + std::abs(s.shape.A3) < zero.C)
     return State::umbilic;
-  return std::min(std::abs(q.e1), std::abs(q.e2)) < rounding * k * k ? State::canal : State::generic;
+  const Principal_quantities q = principal_quantities(s.shape);
+  return std::min(std::abs(q.e1), std::abs(q.e2)) < zero.C ? State::canal : State::generic;
 }
 
-} // namespace
+/// Third derivatives carry a relative error of some 1e-13 when the function is a formula; 1e-9 is far above
+/// that and far below anything that a surface shows by chance over a whole cell.
+/// \param least_curvature  below this a curvature is rounding (a plane has no curvature to compare with)
+Tolerance rounding_of(const Sample& s, double least_curvature) {
+  constexpr double rounding = 1e-9;
+  const double k = std::max(std::abs(s.shape.H) + std::abs(s.shape.Q), least_curvature);
+  return {rounding * k, rounding * k * k};
+}
 
-Degeneracy find_degeneracy(const Surface& surface, const Cell_complex& cells, const std::vector<Sample>& samples,
-                           Thread_pool& pool) {
+double least_curvature_of(const std::vector<Sample>& samples) {
   Point low = samples[0].p, high = samples[0].p;
   for (const Sample& s : samples)
     for (std::size_t a = 0; a < 3; ++a) {
       low[a] = std::min(low[a], s.p[a]);
       high[a] = std::max(high[a], s.p[a]);
     }
-  const double least_curvature = 1e-6 / distance(low, high);
-  std::vector<State> state(samples.size());
-  pool.for_each(samples.size(), 256, [&](std::size_t i) { state[i] = state_of(samples[i], least_curvature); });
+  return 1e-6 / distance(low, high);
+}
 
-  const std::size_t n = cells.number_of_cells();
-  std::vector<State> cell_state(n, State::generic);
-  std::vector<double> area(n);
-  pool.for_each(n, 256, [&](std::size_t c) {
-    std::vector<const Sample*> corners;
-    bool degenerate = true;
-    for (std::size_t h = cells.cell_begin[c]; h < cells.cell_begin[c + 1]; ++h) {
-      const std::uint32_t v = cells.source(cells.half_edges[h]);
-      corners.push_back(&samples[v]);
-      degenerate = degenerate && state[v] != State::generic;
+/// of each point the length of the shortest way along edges to one of the sources.
+std::vector<double> distances_from(const Cell_complex& cells, const std::vector<char>& is_source) {
+  std::vector<std::size_t> begin(cells.points.size() + 1, 0);
+  for (const auto& [a, b] : cells.edges) {
+    ++begin[a + 1];
+    ++begin[b + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::uint32_t> neighbour(begin.back());
+  std::vector<std::size_t> end(begin.begin(), begin.end() - 1);
+  for (const auto& [a, b] : cells.edges) {
+    neighbour[end[a]++] = b;
+    neighbour[end[b]++] = a;
+  }
+  std::vector<double> length(cells.points.size(), std::numeric_limits<double>::infinity());
+  using Entry = std::pair<double, std::uint32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  for (std::uint32_t v = 0; v < length.size(); ++v)
+    if (is_source[v]) {
+      length[v] = 0;
+      queue.push({0, v});
     }
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-      area[c] += norm(cross(corners[i]->p - corners[0]->p, corners[i + 1]->p - corners[0]->p)) / 2;
-    if (degenerate) // corners on a line of symmetry are not yet an area
-      cell_state[c] = state_of(sample_amid(surface, corners), least_curvature);
-  });
+  while (!queue.empty()) {
+    const auto [d, v] = queue.top();
+    queue.pop();
+    if (d > length[v])
+      continue;
+    for (std::size_t i = begin[v]; i < begin[v + 1]; ++i) {
+      const std::uint32_t w = neighbour[i];
+      const double through = d + distance(cells.points[v], cells.points[w]);
+      if (through < length[w]) {
+        length[w] = through;
+        queue.push({through, w});
+      }
+    }
+  }
+  return length;
+}
 
+/// makes strips generic that are narrower than the neighbourhoods (an opening, as image processing calls it).
+void open(const Cell_complex& cells, const std::vector<Fit_quality>& quality, std::vector<State>& state) {
+  std::vector<char> generic(state.size()), core(state.size());
+  for (std::size_t v = 0; v < state.size(); ++v)
+    generic[v] = state[v] == State::generic;
+  const std::vector<double> from_generic = distances_from(cells, generic);
+  for (std::size_t v = 0; v < state.size(); ++v)
+    core[v] = from_generic[v] > quality[v].radius;
+  const std::vector<double> from_core = distances_from(cells, core);
+  for (std::size_t v = 0; v < state.size(); ++v)
+    if (!(from_core[v] <= quality[v].radius))
+      state[v] = State::generic;
+}
+
+Degeneracy summary(const Cell_complex& cells, const std::vector<State>& cell_state) {
   Degeneracy result;
   std::array<double, 3> area_of_state{};
-  for (std::size_t c = 0; c < n; ++c) {
-    result.total_area += area[c];
-    area_of_state[std::size_t(cell_state[c])] += area[c];
+  for (std::size_t c = 0; c < cells.number_of_cells(); ++c) {
+    const auto corner = [&](std::size_t h) -> const Point& { return cells.points[cells.source(cells.half_edges[h])]; };
+    const std::size_t first = cells.cell_begin[c];
+    double area = 0;
+    for (std::size_t h = first + 1; h + 1 < cells.cell_begin[c + 1]; ++h)
+      area += norm(cross(corner(h) - corner(first), corner(h + 1) - corner(first))) / 2;
+    result.total_area += area;
+    area_of_state[std::size_t(cell_state[c])] += area;
     result.cells.push_back(cell_state[c] != State::generic);
   }
   result.area = area_of_state[1] + area_of_state[2];
@@ -69,6 +122,53 @@ Degeneracy find_degeneracy(const Surface& surface, const Cell_complex& cells, co
                                                     : "a principal curvature is constant along its own lines, as on "
                                                       "a cylinder, a cone, a torus or another surface of revolution";
   return result;
+}
+
+} // namespace
+
+Degeneracy find_degeneracy(const Surface& surface, const Cell_complex& cells, const std::vector<Sample>& samples,
+                           Thread_pool& pool) {
+  const double least_curvature = least_curvature_of(samples);
+  const auto state_at = [&](const Sample& s) { return state_of(s, rounding_of(s, least_curvature)); };
+  std::vector<State> state(samples.size());
+  pool.for_each(samples.size(), 256, [&](std::size_t i) { state[i] = state_at(samples[i]); });
+
+  std::vector<State> cell_state(cells.number_of_cells(), State::generic);
+  pool.for_each(cell_state.size(), 256, [&](std::size_t c) {
+    std::vector<const Sample*> corners;
+    bool degenerate = true;
+    for (std::size_t h = cells.cell_begin[c]; h < cells.cell_begin[c + 1]; ++h) {
+      const std::uint32_t v = cells.source(cells.half_edges[h]);
+      corners.push_back(&samples[v]);
+      degenerate = degenerate && state[v] != State::generic;
+    }
+    if (degenerate) // corners on a line of symmetry are not yet an area
+      cell_state[c] = state_at(sample_amid(surface, corners));
+  });
+  return summary(cells, cell_state);
+}
+
+Degeneracy find_degeneracy(const Cell_complex& cells, const std::vector<Sample>& samples,
+                           const std::vector<Fit_quality>& quality, Thread_pool& pool) {
+  constexpr double significant = 3; // standard errors
+  const double least_curvature = least_curvature_of(samples);
+  std::vector<State> state(samples.size());
+  pool.for_each(samples.size(), 256, [&](std::size_t i) {
+    Tolerance zero = rounding_of(samples[i], least_curvature);
+    zero.L = std::max(zero.L, significant * quality[i].L_error);
+    zero.C = std::max(zero.C, significant * quality[i].C_error);
+    state[i] = state_of(samples[i], zero);
+  });
+  open(cells, quality, state);
+
+  std::vector<State> cell_state(cells.number_of_cells());
+  for (std::size_t c = 0; c < cell_state.size(); ++c) {
+    cell_state[c] = state[cells.source(cells.half_edges[cells.cell_begin[c]])];
+    for (std::size_t h = cells.cell_begin[c]; h < cells.cell_begin[c + 1]; ++h)
+      if (state[cells.source(cells.half_edges[h])] == State::generic)
+        cell_state[c] = State::generic;
+  }
+  return summary(cells, cell_state);
 }
 
 } // namespace CGAL::Extremal_mesh_3

@@ -7,13 +7,14 @@
 #include "Sample.h"
 
 #include <CGAL/Extremal_mesh_3/Cell_complex.h>
+#include <CGAL/Extremal_mesh_3/Vertex_shapes.h>
 
 #include <string>
 #include <vector>
 
 namespace CGAL::Extremal_mesh_3 {
 
-/// The part of a surface on which E_g is 0 up to rounding.
+/// The part of a surface on which E_g is 0, up to rounding or to the errors of the shapes.
 struct Degeneracy {
   std::vector<char> cells; ///< of each cell: it is degenerate
   double area = 0, total_area = 0;
@@ -23,6 +24,11 @@ struct Degeneracy {
 /// finds the cells at all corners of which, and in the middle, E_g is 0 up to rounding.
 Degeneracy find_degeneracy(const Surface& surface, const Cell_complex& cells, const std::vector<Sample>& samples,
                            Thread_pool& pool);
+
+/// finds the areas, wider than the neighbourhoods of the fits, in which E_g is 0 up to the errors of the fits: about an
+/// extremal line it is so, too, but in a narrow strip only.
+Degeneracy find_degeneracy(const Cell_complex& cells, const std::vector<Sample>& samples,
+                           const std::vector<Fit_quality>& quality, Thread_pool& pool);
 
 } // namespace CGAL::Extremal_mesh_3
 

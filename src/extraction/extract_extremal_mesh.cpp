@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Extremal_mesh_3/extract_extremal_mesh.h>
 
+#include "../cells/Union_find.h"
 #include "../cells/parallel.h"
+#include "../cells/remove_cells.h"
 #include "../differential/vector.h"
 #include "Arrangement.h"
 #include "Implicit_surface.h"
@@ -17,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -61,19 +62,10 @@ std::vector<Sample> sample_corners(const Implicit_surface& surface, const Cell_c
 }
 
 std::size_t count_components(const Cell_complex& cells) {
-  std::vector<std::uint32_t> parent(cells.points.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto find = [&](std::uint32_t i) {
-    while (parent[i] != i)
-      i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  std::size_t components = parent.size();
-  for (const auto& [a, b] : cells.edges) {
-    const std::uint32_t i = find(a), j = find(b);
-    components -= i != j;
-    parent[i] = j;
-  }
+  Union_find sets(cells.points.size());
+  std::size_t components = cells.points.size();
+  for (const auto& [a, b] : cells.edges)
+    components -= sets.unite(a, b);
   return components;
 }
 
@@ -89,6 +81,43 @@ void require_generic(const Degeneracy& degeneracy) {
     throw Degenerate_surface_error(
         fmt::format("E_g is 0 over {:.0f} % of the surface ({}), so its extremal mesh is not defined",
                     100 * degeneracy.area / degeneracy.total_area, degeneracy.name));
+}
+
+template <class T> std::vector<T> chosen(const std::vector<T>& values, const std::vector<std::uint32_t>& which) {
+  std::vector<T> result;
+  if (values.empty()) // not known for any
+    return result;
+  result.reserve(which.size());
+  for (const std::uint32_t i : which)
+    result.push_back(values[i]);
+  return result;
+}
+
+/// A mesh with a shape at every point.
+struct Shaped_cells {
+  Cell_complex cells;
+  Vertex_shapes shapes;
+  std::size_t unknown = 0; ///< cells that were taken away
+};
+
+/// takes away the cells with a corner at which the shape is not known.
+Shaped_cells without_unknown(const Cell_complex& cells, const Vertex_shapes& shapes) {
+  const auto unknown = [&](std::uint32_t v) { return !shapes.quality.empty() && !shapes.quality[v].known(); };
+  std::vector<char> removed(cells.number_of_cells(), 0);
+  for (std::size_t c = 0; c < removed.size(); ++c)
+    for (std::size_t h = cells.cell_begin[c]; h < cells.cell_begin[c + 1]; ++h)
+      removed[c] |= char(unknown(cells.source(cells.half_edges[h])));
+  const auto number = std::size_t(std::count(removed.begin(), removed.end(), char(1)));
+  if (number == 0)
+    return {cells, shapes, 0};
+  if (2 * number > removed.size())
+    throw Extraction_error(fmt::format("{} of {} cells have corners at which no jet of degree 4 could be fitted: the "
+                                       "mesh has too few vertices, or they lie on a few lines",
+                                       number, removed.size()));
+  Remaining_cells rest = remove_cells(cells, removed);
+  return {std::move(rest.cells),
+          {chosen(shapes.shapes, rest.point), chosen(shapes.fourth, rest.point), chosen(shapes.quality, rest.point)},
+          number};
 }
 
 /// divides the cells, draws the lines across them, and gathers the mesh that they make.
@@ -137,11 +166,27 @@ Extraction extract_extremal_mesh(const Cell_complex& cells, const Vertex_shapes&
     throw Extraction_error("the surface has no cells");
   Thread_pool pool(options.threads);
   const Interpolated_surface surface;
-  std::vector<Sample> samples = surface.samples(cells, shapes);
-  const Degeneracy degeneracy = find_degeneracy(surface, cells, samples, pool);
+  surface.require_valid(cells, shapes);
+  Shaped_cells known = without_unknown(cells, shapes);
+  std::vector<Sample> samples = surface.samples(known.cells, known.shapes);
+  Degeneracy degeneracy = known.shapes.quality.empty()
+                              ? find_degeneracy(surface, known.cells, samples, pool)
+                              : find_degeneracy(known.cells, samples, known.shapes.quality, pool);
   require_generic(degeneracy);
-  nudge_corners(surface, cells, samples, pool);
-  return extract(surface, cells, std::move(samples), degeneracy, options);
+  if (degeneracy.area > 0) {
+    // What would be found there means nothing: it is cut out, and lines end at its border.
+    const Remaining_cells generic = remove_cells(known.cells, degeneracy.cells);
+    samples = chosen(samples, generic.point);
+    known.cells = generic.cells;
+    degeneracy.cells.assign(generic.cell.size(), 0);
+  }
+  nudge_corners(surface, known.cells, samples, pool);
+  Extraction result = extract(surface, known.cells, std::move(samples), degeneracy, options);
+  result.report.surface_points = cells.points.size();
+  result.report.surface_cells = cells.number_of_cells();
+  result.report.unknown_cells = known.unknown;
+  result.report.degenerate_cells = cells.number_of_cells() - known.unknown - known.cells.number_of_cells();
+  return result;
 }
 
 Extraction extract_extremal_mesh(const Function_3& f, const Lattice& lattice, const Extraction_options& options) {
