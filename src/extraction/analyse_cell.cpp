@@ -178,7 +178,7 @@ bool lines_are_certain(const Refined_complex& complex, const std::vector<Half_ed
 }
 
 /// tells, without a look inside, that nothing happens in a cell: the fields hardly turn around it and Φ keeps far from
-/// the real axis.
+/// the real axis. What is interpolated turns inside no further than around: there it is enough to be as far as that.
 bool plainly_empty(const Refined_complex& complex, const std::vector<Half_edge>& border, const Border_crossings& met) {
   if (!met.crossings.empty())
     return false;
@@ -189,7 +189,7 @@ bool plainly_empty(const Refined_complex& complex, const std::vector<Half_edge>&
     const double p = complex.samples()[complex.source(h)].phase;
     gap = std::min(gap, std::abs(p - pi * std::round(p / pi)));
   }
-  return turn < 1.5 && gap > 0.3;
+  return turn < 1.5 && (gap > 0.3 || (complex.surface().interpolates() && gap > turn));
 }
 
 /// tells whether each crossing has another family than the one that stands `offset` places on.
