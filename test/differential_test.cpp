@@ -228,6 +228,28 @@ TEST(Local_shape, does_not_depend_on_the_position_of_the_surface) {
   }
 }
 
+TEST(Fourth_order_form, turns_with_spins_2_and_4_and_gives_the_extremality_derivatives) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(seed);
+    const Motion motion = random_motion(seed);
+    const Moved_function moved(generic(), motion);
+    for (const Point& p : points()) {
+      const Derivatives d = derivatives(generic(), p), e = derivatives(moved, motion(p));
+      const Local_shape s = local_shape(d), m = local_shape(e);
+      const Fourth_order_form D = fourth_order_form(d, s), F = fourth_order_form(e, m);
+      const Complex z(dot(m.u, motion.turned(s.u)), dot(m.u, motion.turned(s.v())));
+      const double size = 1 + std::abs(D.D0) + std::abs(D.D2) + std::abs(D.D4);
+      EXPECT_NEAR(F.D0, D.D0, 1e-11 * size);
+      EXPECT_NEAR(std::abs(F.D2 * z * z - D.D2), 0, 1e-11 * size);
+      EXPECT_NEAR(std::abs(F.D4 * z * z * z * z - D.D4), 0, 1e-11 * size);
+      for (int family = 1; family <= 2; ++family) {
+        const double expected = extremality_derivative(d, s, family);
+        EXPECT_NEAR(extremality_derivative(s, D, family), expected, 1e-11 * (size + std::abs(expected)));
+      }
+    }
+  }
+}
+
 TEST(Local_shape, scales) {
   // Curvatures are 1/length, extremalities 1/length²; the size of f does not matter.
   for (const double scale : {1e-3, 0.5, 1e4}) {

@@ -90,17 +90,17 @@ std::vector<double> distances_from(const Cell_complex& cells, const std::vector<
   return length;
 }
 
-/// makes strips generic that are narrower than the neighbourhoods (an opening, as image processing calls it).
-void open(const Cell_complex& cells, const std::vector<Fit_quality>& quality, std::vector<State>& state) {
+/// makes strips generic that are not wider than the given lengths (an opening, as image processing calls it).
+void open(const Cell_complex& cells, const std::vector<double>& width, std::vector<State>& state) {
   std::vector<char> generic(state.size()), core(state.size());
   for (std::size_t v = 0; v < state.size(); ++v)
     generic[v] = state[v] == State::generic;
   const std::vector<double> from_generic = distances_from(cells, generic);
   for (std::size_t v = 0; v < state.size(); ++v)
-    core[v] = from_generic[v] > quality[v].radius;
+    core[v] = from_generic[v] > width[v];
   const std::vector<double> from_core = distances_from(cells, core);
   for (std::size_t v = 0; v < state.size(); ++v)
-    if (!(from_core[v] <= quality[v].radius))
+    if (!(from_core[v] <= width[v]))
       state[v] = State::generic;
 }
 
@@ -151,15 +151,24 @@ Degeneracy find_degeneracy(const Surface& surface, const Cell_complex& cells, co
 Degeneracy find_degeneracy(const Cell_complex& cells, const std::vector<Sample>& samples,
                            const std::vector<Fit_quality>& quality, Thread_pool& pool) {
   constexpr double significant = 3; // standard errors
+  constexpr double edges = 1.5;     // a strip that is narrower is no area, however well the shapes are known
   const double least_curvature = least_curvature_of(samples);
   std::vector<State> state(samples.size());
   pool.for_each(samples.size(), 256, [&](std::size_t i) {
     Tolerance zero = rounding_of(samples[i], least_curvature);
-    zero.L = std::max(zero.L, significant * quality[i].L_error);
-    zero.C = std::max(zero.C, significant * quality[i].C_error);
+    if (!quality.empty()) {
+      zero.L = std::max(zero.L, significant * quality[i].L_error);
+      zero.C = std::max(zero.C, significant * quality[i].C_error);
+    }
     state[i] = state_of(samples[i], zero);
   });
-  open(cells, quality, state);
+  std::vector<double> width(samples.size(), 0);
+  for (const auto& [a, b] : cells.edges)
+    for (const std::uint32_t v : {a, b})
+      width[v] = std::max(width[v], edges * distance(cells.points[a], cells.points[b]));
+  for (std::size_t v = 0; v < quality.size(); ++v)
+    width[v] = std::max(width[v], quality[v].radius);
+  open(cells, width, state);
 
   std::vector<State> cell_state(cells.number_of_cells());
   for (std::size_t c = 0; c < cell_state.size(); ++c) {

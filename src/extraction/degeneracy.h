@@ -25,8 +25,9 @@ struct Degeneracy {
 Degeneracy find_degeneracy(const Surface& surface, const Cell_complex& cells, const std::vector<Sample>& samples,
                            Thread_pool& pool);
 
-/// finds the areas, wider than the neighbourhoods of the fits, in which E_g is 0 up to the errors of the fits: about an
-/// extremal line it is so, too, but in a narrow strip only.
+/// finds the areas, wider than the neighbourhoods of the fits, in which E_g is 0 up to rounding and the errors of the
+/// fits: about an extremal line it is so, too, but in a narrow strip only.
+/// \param quality  empty: the shapes are exact
 Degeneracy find_degeneracy(const Cell_complex& cells, const std::vector<Sample>& samples,
                            const std::vector<Fit_quality>& quality, Thread_pool& pool);
 

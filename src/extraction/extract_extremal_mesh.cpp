@@ -169,9 +169,7 @@ Extraction extract_extremal_mesh(const Cell_complex& cells, const Vertex_shapes&
   surface.require_valid(cells, shapes);
   Shaped_cells known = without_unknown(cells, shapes);
   std::vector<Sample> samples = surface.samples(known.cells, known.shapes);
-  Degeneracy degeneracy = known.shapes.quality.empty()
-                              ? find_degeneracy(surface, known.cells, samples, pool)
-                              : find_degeneracy(known.cells, samples, known.shapes.quality, pool);
+  Degeneracy degeneracy = find_degeneracy(known.cells, samples, known.shapes.quality, pool);
   require_generic(degeneracy);
   if (degeneracy.area > 0) {
     // What would be found there means nothing: it is cut out, and lines end at its border.
