@@ -50,9 +50,13 @@ void join_pairs(const Border_crossings& met, std::vector<int>& partner) {
 Arrangement::Arrangement(Refined_complex& complex, const Extraction_options& options) : complex_(complex) {
   number_crossings();
   place_crossings(options);
-  node_of_cell_.assign(complex.cells().size(), no_id);
+  crossed_.assign(complex.cells().size(), 0);
+  for (const Crossing& c : crossings_)
+    for (const std::uint32_t cell : complex.edges()[c.edge].cell)
+      if (cell != no_id)
+        crossed_[cell] = 1;
   for (std::size_t c = 0; c < complex.cells().size(); ++c)
-    if (!complex.cells()[c].divided)
+    if (is_crossed(std::uint32_t(c)))
       draw(std::uint32_t(c));
 }
 
@@ -175,10 +179,8 @@ void Arrangement::draw(std::uint32_t c) {
       node.sides.push_back(side);
     }
   }
-  if (!node.crossings.empty()) {
-    node_of_cell_[c] = std::uint32_t(nodes_.size());
+  if (!node.crossings.empty())
     nodes_.push_back(std::move(node));
-  }
 }
 
 void Arrangement::pieces(std::uint32_t c, std::vector<Piece>& pieces) const {

@@ -63,6 +63,8 @@ public:
   std::uint32_t number_of_intervals() const { return number_of_intervals_; }
   std::uint32_t crossings_of(std::uint32_t edge) const { return first_crossing_[edge + 1] - first_crossing_[edge]; }
 
+  /// tells whether a line meets the border of a cell.
+  bool is_crossed(std::uint32_t cell) const { return crossed_[cell] != 0; }
   /// the pieces into which the lines cut an undivided cell.
   void pieces(std::uint32_t cell, std::vector<Piece>& pieces) const;
   const Point& position(const Piece::Corner& corner) const;
@@ -80,7 +82,7 @@ private:
   std::uint32_t number_of_intervals_ = 0;
   std::vector<Crossing> crossings_;
   std::vector<Node> nodes_;
-  std::vector<std::uint32_t> node_of_cell_;
+  std::vector<char> crossed_; ///< of each cell
 };
 
 } // namespace CGAL::Extremal_mesh_3

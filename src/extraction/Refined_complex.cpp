@@ -66,15 +66,6 @@ Refined_complex::Refined_complex(const Surface& surface, const Cell_complex& cel
   report_.surface_cells = cells_.size();
 }
 
-void Refined_complex::append(Half_edge h, std::vector<Half_edge>& half_edges) const {
-  if (!edges_[h / 2].divided()) {
-    half_edges.push_back(h);
-    return;
-  }
-  append(half(h, 0), half_edges);
-  append(half(h, 1), half_edges);
-}
-
 Half_edge Refined_complex::half(Half_edge h, int which) const {
   const std::uint32_t child = edges_[h / 2].child;
   return h % 2 == 0 ? 2 * (child + std::uint32_t(which)) : 2 * (child + 1 - std::uint32_t(which)) + 1;
@@ -82,8 +73,10 @@ Half_edge Refined_complex::half(Half_edge h, int which) const {
 
 void Refined_complex::border(const Refined_cell& cell, std::vector<Half_edge>& half_edges) const {
   half_edges.clear();
-  for (const Half_edge side : cell.sides)
-    append(side, half_edges);
+  visit_border(cell, [&](Half_edge h) {
+    half_edges.push_back(h);
+    return true;
+  });
 }
 
 void Refined_complex::own(Half_edge h, std::uint32_t cell) {

@@ -70,6 +70,14 @@ public:
 
   /// the undivided half-edges along the border of a cell, counter-clockwise.
   void border(const Refined_cell& cell, std::vector<Half_edge>& half_edges) const;
+  /// calls visit(h) for each of them, until it returns false.
+  /// \return whether it never did
+  template <class Visit> bool visit_border(const Refined_cell& cell, const Visit& visit) const {
+    for (const Half_edge side : cell.sides)
+      if (!visit_parts(side, visit))
+        return false;
+    return true;
+  }
   std::uint32_t source(Half_edge h) const { return h % 2 == 0 ? edges_[h / 2].a : edges_[h / 2].b; }
   std::uint32_t target(Half_edge h) const { return source(h ^ 1U); }
   /// the angle by which parallel transport turns around the border of a cell.
@@ -86,8 +94,12 @@ private:
   void analyse(const std::vector<std::uint32_t>& cells, bool may_divide);
   void settle_folds();
   void own(Half_edge h, std::uint32_t cell);
-  void append(Half_edge h, std::vector<Half_edge>& half_edges) const;
   Half_edge half(Half_edge h, int which) const;
+  template <class Visit> bool visit_parts(Half_edge h, const Visit& visit) const {
+    if (!edges_[h / 2].divided())
+      return visit(h);
+    return visit_parts(half(h, 0), visit) && visit_parts(half(h, 1), visit);
+  }
 
   const Surface& surface_;
   Extraction_options options_;

@@ -18,6 +18,20 @@ double root_extremality(const Sample& s) {
   return R > 0 ? std::sqrt(std::abs(s.shape.Phi().imag()) / (2 * R * R * R)) : 0;
 }
 
+/// adds a piece of a region to it.
+/// \param weight  √|E_g|, summed over the corners
+void add(Extremal_mesh_cell& cell, const std::vector<const Point*>& corners, double weight) {
+  Point middle{};
+  for (const Point* p : corners)
+    middle = middle + (1 / double(corners.size())) * *p;
+  double area = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    area += norm(cross(*corners[i] - middle, *corners[(i + 1) % corners.size()] - middle)) / 2;
+  ++cell.euler_characteristic;
+  cell.area += area;
+  cell.weight += area * weight / double(corners.size());
+}
+
 } // namespace
 
 Regions::Regions(const Arrangement& arrangement, Cell_patches* patches)
@@ -37,7 +51,7 @@ void Regions::unite_pieces() {
       sets.unite(edges[e].a, edges[e].b);
   std::vector<Piece> pieces;
   for (std::uint32_t c = 0; c < complex.cells().size(); ++c) {
-    if (complex.cells()[c].divided)
+    if (!arrangement_.is_crossed(c)) // one piece, and one interval
       continue;
     arrangement_.pieces(c, pieces);
     for (const Piece& piece : pieces)
@@ -94,29 +108,38 @@ void Regions::count() {
     if (corner[v] == 1)
       ++cells_[region_[v]].euler_characteristic;
 
+  std::vector<double> extremality(corner.size(), 0);
+  for (std::uint32_t v = 0; v < corner.size(); ++v)
+    if (corner[v] != 0)
+      extremality[v] = root_extremality(complex.samples()[v]);
   std::vector<Piece> pieces;
+  std::vector<const Point*> corners;
   for (std::uint32_t c = 0; c < complex.cells().size(); ++c) {
     if (complex.cells()[c].divided)
       continue;
+    if (!arrangement_.is_crossed(c)) {
+      corners.clear();
+      double weight = 0;
+      std::uint32_t v = 0;
+      complex.visit_border(complex.cells()[c], [&](Half_edge h) {
+        v = complex.source(h);
+        corners.push_back(&complex.samples()[v].p);
+        weight += extremality[v];
+        return true;
+      });
+      add(cells_[region_[v]], corners, weight);
+      continue;
+    }
     arrangement_.pieces(c, pieces);
     for (const Piece& piece : pieces) {
-      Extremal_mesh_cell& cell = cells_[region_[piece.intervals[0]]];
-      ++cell.euler_characteristic;
-      Point middle{};
+      corners.clear();
       double weight = 0;
       for (const Piece::Corner& corner_of_piece : piece.corners) {
-        middle = middle + (1 / double(piece.corners.size())) * arrangement_.position(corner_of_piece);
+        corners.push_back(&arrangement_.position(corner_of_piece));
         if (corner_of_piece.kind == Piece::Corner::Kind::sample) // elsewhere E_g is 0
-          weight += root_extremality(complex.samples()[corner_of_piece.id]) / double(piece.corners.size());
+          weight += extremality[corner_of_piece.id];
       }
-      double area = 0;
-      for (std::size_t i = 0; i < piece.corners.size(); ++i) {
-        const Point& a = arrangement_.position(piece.corners[i]);
-        const Point& b = arrangement_.position(piece.corners[(i + 1) % piece.corners.size()]);
-        area += norm(cross(a - middle, b - middle)) / 2;
-      }
-      cell.area += area;
-      cell.weight += area * weight;
+      add(cells_[region_[piece.intervals[0]]], corners, weight);
     }
   }
 }

@@ -177,19 +177,23 @@ bool lines_are_certain(const Refined_complex& complex, const std::vector<Half_ed
   return gap > clearance * fit.residual;
 }
 
-/// tells, without a look inside, that nothing happens in a cell: the fields hardly turn around it and Φ keeps far from
-/// the real axis. What is interpolated turns inside no further than around: there it is enough to be as far as that.
-bool plainly_empty(const Refined_complex& complex, const std::vector<Half_edge>& border, const Border_crossings& met) {
-  if (!met.crossings.empty())
-    return false;
+/// tells, without a look inside, that nothing happens in a cell: no line crosses its border, the fields hardly turn
+/// around it and Φ keeps far from the real axis. What is interpolated turns inside no further than around: there it is
+/// enough to be as far as that.
+bool plainly_empty(const Refined_complex& complex, const Refined_cell& cell) {
+  constexpr double little = 1.5, far = 0.3;
+  constexpr double nearly_flat = 0.9; // with normals that near, transport around the cell turns by less than ½
+  const Vector& normal = complex.samples()[complex.source(cell.sides[0])].shape.n;
   double turn = 0, gap = pi;
-  for (const Half_edge h : border) {
+  const bool quiet = complex.visit_border(cell, [&](Half_edge h) {
     const Refined_edge& e = complex.edges()[h / 2];
+    const Sample& s = complex.samples()[complex.source(h)];
     turn += 2 * std::abs(e.turn_P) + std::abs(e.turn_Q);
-    const double p = complex.samples()[complex.source(h)].phase;
-    gap = std::min(gap, std::abs(p - pi * std::round(p / pi)));
-  }
-  return turn < 1.5 && (gap > 0.3 || (complex.surface().interpolates() && gap > turn));
+    gap = std::min(gap, std::abs(s.phase - pi * std::round(s.phase / pi)));
+    const bool crossed = e.winding != 0 || complex.samples()[e.a].positive != complex.samples()[e.b].positive;
+    return !crossed && turn < little && dot(s.shape.n, normal) > nearly_flat;
+  });
+  return quiet && (gap > far || (complex.surface().interpolates() && gap > turn));
 }
 
 /// tells whether each crossing has another family than the one that stands `offset` places on.
@@ -255,6 +259,13 @@ bool add_sides(const Refined_complex& complex, const std::vector<Half_edge>& bor
   return added;
 }
 
+/// less than 1 if the sample lies on a line, or if |P| or |Q| is small against the values around.
+double distance_from_trouble(const Sample& s, double P_around, double Q_around) {
+  constexpr double on_line = 1e-4, small = 0.03;
+  const double off_line = std::abs(std::sin(s.phase)) / on_line;
+  return std::min({off_line, std::abs(s.P) / (small * P_around), std::abs(s.shape.Q) / (small * Q_around)});
+}
+
 } // namespace
 
 Border_crossings border_crossings(const Refined_complex& complex, const std::vector<Half_edge>& border) {
@@ -276,20 +287,21 @@ Border_crossings border_crossings(const Refined_complex& complex, const std::vec
   return met;
 }
 
+bool should_be_nudged(const Sample& s, double P_around, double Q_around) {
+  return distance_from_trouble(s, P_around, Q_around) < 1;
+}
+
 Sample nudged(const Surface& surface, const Sample& s, double size, double P_around, double Q_around,
               const std::vector<const Sample*>& around) {
-  constexpr double on_line = 1e-4, small = 0.03, part = 0.14, golden_angle = 2.399963229728653;
-  const auto badness = [&](const Sample& x) {
-    const double off_line = std::abs(std::sin(x.phase)) / on_line;
-    return std::min({off_line, std::abs(x.P) / (small * P_around), std::abs(x.shape.Q) / (small * Q_around)});
-  };
-  double best = badness(s);
+  constexpr double part = 0.14, golden_angle = 2.399963229728653;
+  double best = distance_from_trouble(s, P_around, Q_around);
   if (!(best < 1) || !s.exact)
     return s;
   Sample chosen = s;
   const auto try_one = [&](const std::optional<Sample>& other) {
-    if (other && badness(*other) > best) {
-      best = badness(*other);
+    const double distance = other ? distance_from_trouble(*other, P_around, Q_around) : 0;
+    if (distance > best) {
+      best = distance;
       chosen = *other;
     }
   };
@@ -311,11 +323,15 @@ Sample nudged(const Surface& surface, const Sample& s, double size, double P_aro
 
 Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& cell, bool may_divide,
                            bool may_divide_lines) {
+  Cell_analysis result;
+  if (plainly_empty(complex, cell)) {
+    result.content = Content::lines;
+    return result;
+  }
   std::vector<Half_edge> border;
   complex.border(cell, border);
   const Border_crossings met = border_crossings(complex, border);
 
-  Cell_analysis result;
   double turn_Q = 0;
   for (const Half_edge h : border)
     turn_Q += h % 2 == 0 ? complex.edges()[h / 2].turn_Q : -complex.edges()[h / 2].turn_Q;
@@ -324,11 +340,6 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
   const int wP = result.winding_P, wQ = result.winding_Q;
   // Φ = P² Q. Where P or Q is 0 up to rounding, its turns are noise and need not fit.
   const bool consistent = 2 * wP + wQ == met.winding_phi;
-
-  if (wP == 0 && wQ == 0 && plainly_empty(complex, border, met)) {
-    result.content = Content::lines;
-    return result;
-  }
 
   std::vector<const Sample*> corners;
   for (const Half_edge h : cell.sides)

@@ -40,8 +40,11 @@ struct Cell_analysis {
 Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& cell, bool may_divide,
                            bool may_divide_lines);
 
-/// the sample, or one moved within the surface by a small part of `size` if it lies on a line, or so near to a
-/// zero of P or Q that |P| or |Q| is small against the values around.
+/// tells whether a sample lies on a line, or so near to a zero of P or Q that |P| or |Q| is small against the values
+/// around.
+bool should_be_nudged(const Sample& s, double P_around, double Q_around);
+
+/// the sample, or one moved within the surface by a small part of `size` if it should be.
 /// \param around  samples towards which it may be moved on a surface that interpolates
 Sample nudged(const Surface& surface, const Sample& s, double size, double P_around, double Q_around,
               const std::vector<const Sample*>& around);

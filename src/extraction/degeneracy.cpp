@@ -92,6 +92,8 @@ std::vector<double> distances_from(const Cell_complex& cells, const std::vector<
 
 /// makes strips generic that are not wider than the given lengths (an opening, as image processing calls it).
 void open(const Cell_complex& cells, const std::vector<double>& width, std::vector<State>& state) {
+  if (std::all_of(state.begin(), state.end(), [](State s) { return s == State::generic; }))
+    return;
   std::vector<char> generic(state.size()), core(state.size());
   for (std::size_t v = 0; v < state.size(); ++v)
     generic[v] = state[v] == State::generic;

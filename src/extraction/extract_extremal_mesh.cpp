@@ -27,25 +27,43 @@ namespace {
 /// moves samples at the corners of the cells a little off lines and zeros.
 void nudge_corners(const Surface& surface, const Cell_complex& cells, std::vector<Sample>& samples, Thread_pool& pool) {
   const std::size_t n = cells.points.size();
-  struct Around {
+  struct Around { // the squares of what is around a point
     double shortest = std::numeric_limits<double>::infinity(), P = 0, Q = 0;
-    std::vector<const Sample*> samples;
   };
   std::vector<Around> around(n);
-  const std::vector<Sample> given = surface.interpolates() ? samples : std::vector<Sample>();
   for (const auto& [a, b] : cells.edges) {
-    const double length = distance(samples[a].p, samples[b].p);
+    const Vector d = samples[b].p - samples[a].p;
+    const double length = dot(d, d);
     for (const auto& [i, j] : {std::pair{a, b}, std::pair{b, a}}) {
       around[i].shortest = std::min(around[i].shortest, length);
-      around[i].P = std::max(around[i].P, std::abs(samples[j].P));
-      around[i].Q = std::max(around[i].Q, std::abs(samples[j].shape.Q));
-      if (surface.interpolates())
-        around[i].samples.push_back(&given[j]);
+      around[i].P = std::max(around[i].P, std::norm(samples[j].P));
+      around[i].Q = std::max(around[i].Q, std::norm(samples[j].shape.Q));
     }
   }
-  pool.for_each(n, 64, [&](std::size_t i) {
-    samples[i] = nudged(surface, samples[i], 0.5 * around[i].shortest, around[i].P, around[i].Q, around[i].samples);
-  });
+  const auto nudge = [&](std::size_t i, const std::vector<const Sample*>& neighbours) {
+    return nudged(surface, samples[i], 0.5 * std::sqrt(around[i].shortest), std::sqrt(around[i].P),
+                  std::sqrt(around[i].Q), neighbours);
+  };
+  if (!surface.interpolates()) {
+    pool.for_each(n, 64, [&](std::size_t i) { samples[i] = nudge(i, {}); });
+    return;
+  }
+  // Few are to be moved; their neighbours stay as they are given.
+  std::vector<std::uint32_t> number(n, 0), moved;
+  for (std::uint32_t i = 0; i < n; ++i)
+    if (should_be_nudged(samples[i], std::sqrt(around[i].P), std::sqrt(around[i].Q))) {
+      moved.push_back(i);
+      number[i] = std::uint32_t(moved.size());
+    }
+  std::vector<std::vector<const Sample*>> neighbours(moved.size());
+  for (const auto& [a, b] : cells.edges)
+    for (const auto& [i, j] : {std::pair{a, b}, std::pair{b, a}})
+      if (number[i] != 0)
+        neighbours[number[i] - 1].push_back(&samples[j]);
+  std::vector<Sample> nudged_samples(moved.size());
+  pool.for_each(moved.size(), 64, [&](std::size_t k) { nudged_samples[k] = nudge(moved[k], neighbours[k]); });
+  for (std::size_t k = 0; k < moved.size(); ++k)
+    samples[moved[k]] = nudged_samples[k];
 }
 
 /// the samples at points that lie on a surface already.
