@@ -258,6 +258,21 @@ TEST(Check, finds_a_border_that_should_not_be_there_or_is_missing) {
   EXPECT_TRUE(after(bordered_mesh(), [](Parts& p) { p.surface.closed = true; }).violated.count("border"));
 }
 
+TEST(Check, finds_a_line_of_the_wrong_family_at_the_border) {
+  const Outcome o = after(bordered_mesh(), [](Parts& p) {
+    int& family = p.edges[p.vertices[p.first(Vertex_kind::boundary)].star[0] / 2].family;
+    family = 3 - family;
+  });
+  EXPECT_TRUE(o.violated.count("border_parity")) << o.details;
+}
+
+TEST(Check, finds_a_loop_of_the_border_with_an_odd_number_of_ends) {
+  const Outcome o = after(bordered_mesh(), [](Parts& p) {
+    p.vertices[p.first(Vertex_kind::boundary)].kind = Vertex_kind::non_generic;
+  });
+  EXPECT_TRUE(o.violated.count("border")) << o.details;
+}
+
 TEST(Check, tells_at_most_five_places_and_counts_the_rest) {
   const Outcome o = after(closed_mesh(), [](Parts& p) {
     for (Extremal_mesh_cell& c : p.cells)

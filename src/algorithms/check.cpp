@@ -22,7 +22,8 @@ std::vector<Check> check(const Extremal_mesh& mesh) {
           check_umbilic_index(mesh),
           check_field_index(mesh),
           check_even_extremal_points(mesh),
-          check_border(mesh)};
+          check_border(mesh),
+          check_border_parity(mesh)};
 }
 
 bool all_hold(const std::vector<Check>& checks) {

@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -177,13 +179,61 @@ Check check_even_extremal_points(const Extremal_mesh& mesh) {
   return {name, claim, true, points % 2 == 0, fmt::format("{} extremal points", points)};
 }
 
+namespace {
+
+/// the numbers of boundary vertices on each loop of the border that has any.
+std::vector<std::size_t> ends_on_loops(const Extremal_mesh& mesh) {
+  // A walk around a cell that comes to the border goes along it to the next boundary vertex.
+  const std::size_t none = mesh.number_of_vertices();
+  std::vector<std::size_t> next(none, none);
+  for (const Extremal_mesh_cell& cell : mesh.cells())
+    for (const auto& walk : cell.boundary)
+      for (std::size_t i = 0; i < walk.size(); ++i) {
+        const std::uint32_t v = mesh.target(walk[i]);
+        if (mesh.vertex(v).kind == Vertex_kind::boundary)
+          next[v] = mesh.source(walk[(i + 1) % walk.size()]);
+      }
+  std::vector<std::size_t> loops;
+  std::vector<char> seen(none, 0);
+  for (std::size_t start = 0; start < none; ++start) {
+    std::size_t length = 0;
+    for (std::size_t v = start; v != none && next[v] != none && !seen[v]; v = next[v], ++length)
+      seen[v] = 1;
+    if (length > 0)
+      loops.push_back(length);
+  }
+  return loops;
+}
+
+} // namespace
+
 Check check_border(const Extremal_mesh& mesh) {
   const std::size_t ends = count(mesh, Vertex_kind::boundary);
   const bool touched =
       std::any_of(mesh.cells().begin(), mesh.cells().end(), [](const auto& c) { return c.touches_border; });
-  const bool holds = mesh.surface().closed ? ends == 0 && !touched : ends % 2 == 0 && touched;
-  return {"border", "lines end on the border an even number of times, and nowhere on a closed surface", true, holds,
-          fmt::format("{} boundary vertices on a {} surface", ends, mesh.surface().closed ? "closed" : "bordered")};
+  const std::vector<std::size_t> loops = ends_on_loops(mesh);
+  const bool even = std::all_of(loops.begin(), loops.end(), [](std::size_t n) { return n % 2 == 0; });
+  const bool holds = mesh.surface().closed ? ends == 0 && !touched : even && touched;
+  return {"border", "lines end on each loop of the border an even number of times, and nowhere on a closed surface",
+          true, holds,
+          fmt::format("{} boundary vertices on {} loops of a {} surface", ends, loops.size(),
+                      mesh.surface().closed ? "closed" : "bordered")};
+}
+
+Check check_border_parity(const Extremal_mesh& mesh) {
+  std::array<std::int64_t, 2> ends{};
+  std::int64_t half_turns = 0;
+  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
+    const Extremal_mesh_vertex& x = mesh.vertex(v);
+    if (x.kind == Vertex_kind::boundary && !x.star.empty())
+      ++ends[std::size_t(mesh.edge(x.star[0] / 2).family - 1)];
+    half_turns += std::llround(2 * x.umbilic_index);
+  }
+  return {"border_parity",
+          "lines of either family end on the border as often, modulo 2, as there are half turns of the principal "
+          "directions around the umbilics",
+          true, (ends[0] - half_turns) % 2 == 0 && (ends[1] - half_turns) % 2 == 0,
+          fmt::format("{} ends of family 1, {} of family 2, {} half turns", ends[0], ends[1], half_turns)};
 }
 
 } // namespace CGAL::Extremal_mesh_3

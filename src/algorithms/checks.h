@@ -40,6 +40,7 @@ Check check_umbilic_index(const Extremal_mesh& mesh);
 Check check_field_index(const Extremal_mesh& mesh);
 Check check_even_extremal_points(const Extremal_mesh& mesh);
 Check check_border(const Extremal_mesh& mesh);
+Check check_border_parity(const Extremal_mesh& mesh);
 
 } // namespace CGAL::Extremal_mesh_3
 
