@@ -32,6 +32,27 @@ State state_of(const Sample& s, const Tolerance& zero) {
   return std::min(std::abs(q.e1), std::abs(q.e2)) < zero.C ? State::canal : State::generic;
 }
 
+/// \param quality  of the fit that gave the sample
+State state_of(const Sample& s, const Tolerance& rounding, const Fit_quality& quality) {
+  // On spheres, planes and surfaces of revolution, e_i is the error of the fit alone. That is of the order k² (kR)³, R being the
+  // radius of the neighbourhood: 0.2 times that on spheres, twice that on spheroids, where however it stays within the
+  // error that the residuals tell. Noise is no reason to call a surface degenerate, unless it is flat.
+  constexpr double error_of_e = 0.4, error_of_A = 1, error_of_Q = 0.1;   // on spheres, with a margin
+  constexpr double error_of_revolution = 2.5, standard_errors = 3;
+  constexpr double flat = 0.02; // the normal turns by less in a neighbourhood
+  const double k = std::abs(s.shape.H) + std::abs(s.shape.Q), kR = k * quality.radius;
+  const double expected = k * k * kR * kR * kR;
+  const double significant = standard_errors * quality.C_error;
+  Tolerance zero = rounding;
+  zero.L = std::max({zero.L, error_of_Q * k * kR * kR * kR * kR, kR < flat ? standard_errors * quality.L_error : 0});
+  zero.C = std::max({zero.C, error_of_A * expected, kR < flat ? significant : 0});
+  if (state_of(s, zero) == State::umbilic)
+    return State::umbilic;
+  zero.C = std::max({rounding.C, error_of_e * expected,
+                     kR < flat ? significant : std::min(significant, error_of_revolution * expected)});
+  return state_of(s, zero) == State::generic ? State::generic : State::canal;
+}
+
 /// Third derivatives carry a relative error of some 1e-13 when the function is a formula; 1e-9 is far above
 /// that and far below anything that a surface shows by chance over a whole cell.
 /// \param least_curvature  below this a curvature is rounding (a plane has no curvature to compare with)
@@ -152,24 +173,20 @@ Degeneracy find_degeneracy(const Surface& surface, const Cell_complex& cells, co
 
 Degeneracy find_degeneracy(const Cell_complex& cells, const std::vector<Sample>& samples,
                            const std::vector<Fit_quality>& quality, Thread_pool& pool) {
-  constexpr double significant = 3; // standard errors
-  constexpr double edges = 1.5;     // a strip that is narrower is no area, however well the shapes are known
+  // A narrower strip is no area, however well the shapes are known: it may lie about an extremal line.
+  constexpr double edges = 1.5, radii = 2;
   const double least_curvature = least_curvature_of(samples);
   std::vector<State> state(samples.size());
   pool.for_each(samples.size(), 256, [&](std::size_t i) {
-    Tolerance zero = rounding_of(samples[i], least_curvature);
-    if (!quality.empty()) {
-      zero.L = std::max(zero.L, significant * quality[i].L_error);
-      zero.C = std::max(zero.C, significant * quality[i].C_error);
-    }
-    state[i] = state_of(samples[i], zero);
+    const Tolerance rounding = rounding_of(samples[i], least_curvature);
+    state[i] = quality.empty() ? state_of(samples[i], rounding) : state_of(samples[i], rounding, quality[i]);
   });
   std::vector<double> width(samples.size(), 0);
   for (const auto& [a, b] : cells.edges)
     for (const std::uint32_t v : {a, b})
       width[v] = std::max(width[v], edges * distance(cells.points[a], cells.points[b]));
   for (std::size_t v = 0; v < quality.size(); ++v)
-    width[v] = std::max(width[v], quality[v].radius);
+    width[v] = std::max(width[v], radii * quality[v].radius);
   open(cells, width, state);
 
   std::vector<State> cell_state(cells.number_of_cells());
