@@ -3,7 +3,7 @@
 #ifndef EXTREMAL_MESH_3_SRC_CGAL_MESH_ORIENTATION_H
 #define EXTREMAL_MESH_3_SRC_CGAL_MESH_ORIENTATION_H
 
-#include "mesh_soup.h"
+#include "../polygons/Polygon_soup.h"
 
 #include <cstddef>
 

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Extremal_mesh_3/read_mesh.h>
+
+#include "repair.h"
+#include "soup_readers.h"
+#include "weld.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <new>
+#include <stdexcept>
+
+namespace CGAL::Extremal_mesh_3 {
+
+namespace {
+
+struct Format {
+  std::string_view extension;
+  Polygon_soup (*read)(std::string_view content);
+};
+
+constexpr std::array<Format, 5> formats{
+    {{".off", read_off}, {".obj", read_obj}, {".ply", read_ply}, {".stl", read_stl}, {".om", read_om}}};
+
+const Format* format_of(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto* found =
+      std::find_if(formats.begin(), formats.end(), [&](const Format& format) { return format.extension == extension; });
+  return found == formats.end() ? nullptr : found;
+}
+
+std::string content_of(const std::string& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status))
+    throw std::runtime_error("it does not exist");
+  if (std::filesystem::is_directory(status))
+    throw std::runtime_error("it is a folder");
+  if (!std::filesystem::is_regular_file(status))
+    throw std::runtime_error("it is not a regular file");
+  std::ifstream stream(file, std::ios::binary);
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (!stream || error)
+    throw std::runtime_error("it cannot be opened");
+  if (size == 0)
+    throw std::runtime_error("it is empty");
+  std::string content(size, '\0');
+  stream.read(content.data(), std::streamsize(size));
+  content.resize(std::size_t(stream.gcount())); // it may have become shorter
+  return content;
+}
+
+/// With larger ones, sums of products of coordinates would not be finite any more.
+constexpr double largest_coordinate = 1e100;
+
+double largest(const Polygon_soup& soup) {
+  double size = 0;
+  for (const Point& p : soup.points)
+    size = std::max({size, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+  return size;
+}
+
+Polygon_soup read_soup(const Format& format, const std::string& file) {
+  Polygon_soup soup = format.read(content_of(file));
+  if (const double size = largest(soup); size > largest_coordinate)
+    throw std::runtime_error(
+        fmt::format("expected coordinates of at most {}, found one of {}", largest_coordinate, size));
+  if (format.read == read_stl)
+    weld(soup, 0);
+  return soup;
+}
+
+double weld_tolerance(const Format& format, const Polygon_soup& soup, const Mesh_reading_options& options) {
+  constexpr double two_units_in_the_last_place = 0x1p-22; // of a float
+  if (!options.weld_tolerance)
+    return format.read == read_stl ? two_units_in_the_last_place * largest(soup) : 0;
+  const double most = diagonal(soup.points) / 100;
+  if (!(*options.weld_tolerance >= 0 && *options.weld_tolerance <= most))
+    throw std::invalid_argument(
+        fmt::format("the tolerance for welding is {}; for this mesh it must be from 0 to {:.3g}, a "
+                    "hundredth of its size",
+                    *options.weld_tolerance, most));
+  return *options.weld_tolerance;
+}
+
+/// does something with a file; what is wrong becomes an `Io_error`.
+template <typename Action> auto with_name_in_errors(const std::string& file, const Action& action) {
+  try {
+    return action();
+  } catch (const std::bad_alloc&) {
+    throw Io_error(fmt::format("cannot read '{}': it is larger than memory", file));
+  } catch (const std::exception& error) {
+    std::string message = error.what(); // may quote the file, with anything in it
+    std::replace_if(
+        message.begin(), message.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+    throw Io_error(fmt::format("cannot read '{}': {}", file, message));
+  }
+}
+
+} // namespace
+
+bool is_mesh_file(const std::string& file) {
+  return format_of(file) != nullptr;
+}
+
+Mesh read_mesh(const std::string& file, const Mesh_reading_options& options) {
+  Polygon_soup soup;
+  const Format* format = format_of(file);
+  with_name_in_errors(file, [&] {
+    if (!format)
+      throw std::runtime_error("its name has none of the extensions that are read: .off .obj .ply .stl .om");
+    soup = read_soup(*format, file);
+  });
+  const double tolerance = weld_tolerance(*format, soup, options);
+  return with_name_in_errors(file, [&] { return repair(std::move(soup), tolerance); });
+}
+
+} // namespace CGAL::Extremal_mesh_3

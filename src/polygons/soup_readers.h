@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What each format of mesh files says, given the content of a file. CGAL's and OpenMesh's readers are not used here: they tell
+// that a file is wrong, but not where, take the memory that a header asks for, and OpenMesh's reader of OM
+// writes where the file tells it to.
+#ifndef EXTREMAL_MESH_3_SRC_POLYGONS_SOUP_READERS_H
+#define EXTREMAL_MESH_3_SRC_POLYGONS_SOUP_READERS_H
+
+#include "Polygon_soup.h"
+
+#include <string_view>
+
+namespace CGAL::Extremal_mesh_3 {
+
+/// Coordinates are finite, and faces' corners are indices of points; there is no other promise.
+/// \throws std::runtime_error telling the place and what was expected
+Polygon_soup read_off(std::string_view content);
+Polygon_soup read_obj(std::string_view content);
+Polygon_soup read_ply(std::string_view content);
+/// Each triangle has points of its own.
+Polygon_soup read_stl(std::string_view content);
+Polygon_soup read_om(std::string_view content);
+
+} // namespace CGAL::Extremal_mesh_3
+
+#endif // EXTREMAL_MESH_3_SRC_POLYGONS_SOUP_READERS_H
