@@ -23,7 +23,8 @@ struct Jet {
   bool determined = false; ///< by the points; otherwise nothing else here means anything
   double condition = 0;    ///< √ of the largest variance inflation of a coefficient
   double residual = 0;     ///< root mean square, weighted
-  /// standard errors, for residuals that are independent and as large as these: of the second derivative along a unit
+  double noise = 0;        ///< standard deviation of the heights that such residuals imply
+  /// standard errors for a noise of 1 that is independent from point to point: of the second derivative along a unit
   /// tangent, and of the third; root mean square over all tangents
   double second_error = 0, third_error = 0;
 };

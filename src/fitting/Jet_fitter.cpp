@@ -1,41 +1,71 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Weights. They fall to 0 at the radius, so that a jet changes smoothly from vertex to vertex, and are in proportion to the vertex's
+// share of the area, so that the fit is one to the surface and not to its triangulation. Measured on the ellipsoid
+// x² + 2y² + 4z² = 1 as icosphere of 10242 vertices, whose triangles are stretched by up to 2, R = 0.17: without the areas
+// the error of C differs along an edge by 2.4 % of C, with them by 1.7 %. Even triangulations do not mind either way.
+// Frame. The mean normal, with the same weights, tilts less than the normal at the vertex: at R = 0.28 on a mesh of 1556 vertices
+// the error of C is 22 % instead of 27 %, and on noisy meshes there is no question.
 #include "Jet_fitter.h"
 
 #include "../differential/vector.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace CGAL::Extremal_mesh_3 {
 
 namespace {
 
-// A jet has 15 coefficients; a few points more tell how well it fits. Two rings around a vertex of six neighbours are 19 points, around one
-// of five 16.
+// A jet has 15 coefficients; a few points more tell how well it fits. Two rings around a vertex of six neighbours are 19
+// points, around one of five 16.
 constexpr std::size_t least_points_in_ball = 20, least_points_in_rings = 16;
-constexpr double largest_condition = 1000;
-constexpr double growth = 1.25;
-constexpr int most_growths = 16; // a factor of 35
+
+/// How badly a jet may be determined.
+struct Limits {
+  double condition; ///< of Jet::condition
+  double gain;      ///< of C by noise: Jet::third_error, as it would be without growth
+  int growths;
+};
+// Discs have conditions of 4 to 10, half discs 80, quarters 90, sectors of 30 degrees 250. Above 100 the field of shapes is
+// rough if not wrong in places. Even discs of 27 points have a gain of 24; narrow stripes, whose condition is as good as that of discs,
+// have much more. The gain falls with the fourth power of the radius: from 24 to 200 for half a disc costs a growth by 1.4.
+constexpr Limits good{150, 200, 0}, // by all means
+    tolerable{1000, 2000, 8};      // if twice the radius did not help
+constexpr double growth = 1.1; // small steps, again for smoothness
+constexpr int most_growths = 32; // a factor of 21
+
+bool within(const Limits& limits, const Jet& jet, double gain, int growths) {
+  return jet.determined && jet.condition < limits.condition && gain < limits.gain && growths >= limits.growths;
+}
 
 } // namespace
 
 void Jet_fitter::add(Task task, Vertex_shapes& result) {
-  while (!gather(task)) {
-    if (!walk_.can_grow() || task.growths == most_growths) {
+  while (!gather(task))
+    if (!grow(task)) {
       Fit_quality q;
       q.state = Fit_state::too_few_points;
       q.points = std::uint32_t(task.points);
-      q.radius = task.frame.scale;
+      q.radius = task.extent.radius;
       result.quality[task.vertex] = q;
       return;
     }
-    ++task.growths;
-    task.extent.radius *= growth;
-    task.extent.rings += task.extent.rings > 0;
-  }
   tasks_[batch_.size() - 1] = task;
   if (batch_.full())
     fit_batch(result);
+}
+
+/// makes the neighbourhood larger, if that is possible.
+bool Jet_fitter::grow(Task& task) {
+  if (!task.can_grow || task.growths == most_growths)
+    return false;
+  grown_ += task.growths == 0;
+  ++task.growths;
+  task.extent.radius *= growth;
+  task.extent.rings += task.extent.rings > 0;
+  return true;
 }
 
 /// puts the neighbourhood into the batch, if it has enough points.
@@ -44,27 +74,34 @@ bool Jet_fitter::gather(Task& task) {
   const auto found = rings ? walk_.within_rings(task.vertex, task.extent.rings)
                            : walk_.within_distance(task.vertex, task.extent.radius);
   task.points = found.size();
+  task.can_grow = walk_.can_grow();
   if (found.size() < (rings ? least_points_in_rings : least_points_in_ball))
     return false;
-  const Point origin = vertices_[task.vertex].p;
 
+  const Point origin = vertices_[task.vertex].p;
+  const double s2 = 1 / (task.extent.radius * task.extent.radius);
   weights_.resize(found.size());
   Vector normal{};
   double farthest = 0;
-  const double scale2 = 1 / (task.extent.radius * task.extent.radius);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Mesh_vertex& x = vertices_[found[i]];
     const Vector d = x.p - origin;
     const double distance2 = dot(d, d);
     farthest = std::max(farthest, distance2);
-    const double t = rings ? 0 : 1 - distance2 * scale2;
-    weights_[i] = rings ? 1 : t * t;
+    const double t = 1 - distance2 * s2;
+    weights_[i] = rings ? 1 : t * t * (x.area * s2);
     normal = normal + weights_[i] * x.n;
   }
+  const double length = norm(normal);
+  if (!(length > 0)) // points without area
+    return false;
   task.frame.scale = rings ? std::sqrt(farthest) : task.extent.radius;
-  task.frame.z = normalized(normal);
+  task.frame.z = (1 / length) * normal;
   task.frame.x = any_orthogonal(task.frame.z);
   task.frame.y = cross(task.frame.z, task.frame.x);
+
+  if (task.growths == 0)
+    task.first_scale = task.frame.scale;
 
   const double s = 1 / task.frame.scale;
   const Vector x = s * task.frame.x, y = s * task.frame.y, z = s * task.frame.z;
@@ -85,26 +122,28 @@ void Jet_fitter::fit_batch(Vertex_shapes& result) {
     const Jet& jet = jets[l];
     Task task = tasks[l];
     const double scale = task.frame.scale;
-    const bool sound = jet.determined && jet.condition < largest_condition;
     Fit_quality& q = result.quality[task.vertex];
     q = {};
     q.points = std::uint32_t(task.points);
     q.radius = scale;
-    if (!sound) {
-      q.state = Fit_state::rank_deficient;
-      if (task.growths == most_growths)
+    const double r = task.first_scale / scale, gain = jet.third_error * (r * r * r);
+    const bool rings = task.extent.rings > 0; // who asks for them shall have them
+    if (!within(good, jet, gain, task.growths) && !within(tolerable, jet, gain, rings ? tolerable.growths : task.growths)) {
+      if (grow(task)) {
+        add(task, result);
         continue;
-      ++task.growths;
-      task.extent.radius *= growth;
-      task.extent.rings += task.extent.rings > 0;
-      add(task, result);
-      continue;
+      }
+      if (!within(tolerable, jet, gain, tolerable.growths)) {
+        q.state = Fit_state::rank_deficient;
+        continue;
+      }
     }
     q.state = Fit_state::fitted;
     q.condition = jet.condition;
     q.residual = jet.residual * scale;
-    q.L_error = jet.second_error / scale;
-    q.C_error = jet.third_error / (scale * scale);
+    const double noise = std::max(jet.noise, rounding_ / scale);
+    q.L_error = noise * jet.second_error / scale;
+    q.C_error = noise * jet.third_error / (scale * scale);
     shape_of_jet(jet, task.frame, result.shapes[task.vertex], result.fourth[task.vertex]);
   }
 }

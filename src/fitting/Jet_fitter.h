@@ -10,7 +10,7 @@
 
 namespace CGAL::Extremal_mesh_3 {
 
-/// The size of a neighbourhood: within a radius, or, if `rings` is not 0, within so many steps.
+/// The size of a neighbourhood: within a radius, or, if `rings` is not 0, within so many steps along edges.
 struct Extent {
   double radius = 0;
   int rings = 0;
@@ -19,38 +19,47 @@ struct Extent {
 /// Fits jets at vertices, growing neighbourhoods until they determine one. One object serves one thread.
 class Jet_fitter {
 public:
-  Jet_fitter(const std::vector<Mesh_vertex>& vertices, const Adjacency& adjacency)
-      : vertices_(vertices), walk_(vertices, adjacency) {}
+  /// \param rounding  of coordinates: no fit is taken to be more exact
+  Jet_fitter(const std::vector<Mesh_vertex>& vertices, const Adjacency& adjacency, double rounding)
+      : vertices_(vertices), rounding_(rounding), walk_(vertices, adjacency) {}
 
-  /// fits the vertices [first, last) and writes their entries of `result`.
-  /// \param extent  extent(v) is that of the neighbourhood of v to begin with
-  template <class Extent_of>
-  void fit(std::uint32_t first, std::uint32_t last, const Extent_of& extent, Vertex_shapes& result) {
-    for (std::uint32_t v = first; v < last; ++v)
-      add({v, extent(v), 0, {}, 0}, result);
+  /// fits a jet at v, now or when others come, and writes its entries of `result`.
+  /// \param extent  of its neighbourhood to begin with
+  void fit(std::uint32_t v, Extent extent, Vertex_shapes& result) { add({v, extent}, result); }
+
+  /// fits those that still wait.
+  void finish(Vertex_shapes& result) {
     while (batch_.size() > 0)
       fit_batch(result);
   }
 
+  /// how many vertices needed more than the extent they began with.
+  std::size_t grown() const { return grown_; }
+
 private:
   /// A vertex on its way to a jet.
   struct Task {
-    std::uint32_t vertex;
+    std::uint32_t vertex = 0;
     Extent extent;
-    int growths;
-    Fit_frame frame;
-    std::size_t points;
+    int growths = 0;
+    std::size_t points = 0;
+    bool can_grow = true;
+    double first_scale = 0; ///< of the frame, before it grew
+    Fit_frame frame{};
   };
 
   void add(Task task, Vertex_shapes& result);
   bool gather(Task& task);
+  bool grow(Task& task);
   void fit_batch(Vertex_shapes& result);
 
   const std::vector<Mesh_vertex>& vertices_;
+  double rounding_;
   Surface_walk walk_;
   Jet_batch batch_;
   std::array<Task, Jet_batch::lanes> tasks_{}; ///< of the lanes of the batch
   std::vector<double> weights_;
+  std::size_t grown_ = 0;
 };
 
 } // namespace CGAL::Extremal_mesh_3

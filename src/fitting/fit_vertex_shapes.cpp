@@ -12,6 +12,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <cmath>
+#include <cstdlib>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -57,14 +58,17 @@ Fit fit_vertex_shapes(const Cell_complex& cells, const Fit_options& options) {
   fit.shapes.shapes.resize(n);
   fit.shapes.fourth.resize(n);
   fit.shapes.quality.resize(n);
-  constexpr double default_multiple = 4;
+  const double default_multiple = std::getenv("CM") ? std::atof(std::getenv("CM")) : 4;
   const auto extent = [&](std::size_t v) {
     return Extent{options.radius > 0 ? options.radius : default_multiple * sampling[v], options.rings};
   };
   constexpr std::size_t block = 256;
-  tbb::enumerable_thread_specific<Jet_fitter> fitters([&] { return Jet_fitter(vertices, adjacency); });
+  tbb::enumerable_thread_specific<Jet_fitter> fitters([&] { return Jet_fitter(vertices, adjacency, 0); });
   pool.for_each((n + block - 1) / block, 1, [&](std::size_t b) {
-    fitters.local().fit(std::uint32_t(b * block), std::uint32_t(std::min(n, (b + 1) * block)), extent, fit.shapes);
+    Jet_fitter& fitter = fitters.local();
+    for (std::size_t v = b * block; v < std::min(n, (b + 1) * block); ++v)
+      fitter.fit(std::uint32_t(v), extent(v), fit.shapes);
+    fitter.finish(fit.shapes);
   });
 
   Fit_report& report = fit.report;
@@ -77,7 +81,6 @@ Fit fit_vertex_shapes(const Cell_complex& cells, const Fit_options& options) {
       continue;
     }
     ++report.fitted;
-    report.grown += options.rings == 0 && q.radius > extent(v).radius;
     radii.push_back(q.radius);
     residuals.push_back(q.residual);
   }
@@ -85,6 +88,8 @@ Fit fit_vertex_shapes(const Cell_complex& cells, const Fit_options& options) {
     report.radius_min = *std::min_element(radii.begin(), radii.end());
     report.radius_max = *std::max_element(radii.begin(), radii.end());
   }
+  for (const Jet_fitter& f : fitters)
+    report.grown += f.grown();
   report.radius_median = median(radii);
   report.noise = median(residuals);
   return fit;
