@@ -16,7 +16,7 @@ namespace CGAL::Extremal_mesh_3 {
 
 namespace {
 
-enum class Entity { vertex = 0, mesh = 1, face = 2, edge = 4, half_edge = 6 };
+enum class Entity { vertex = 0, mesh = 1, face = 2, edge = 4, half_edge = 6, end = 7 };
 enum class Content { position = 0, normal = 1, texture = 2, status = 3, colour = 4, custom = 6, topology = 7 };
 
 /// 16 bits before each chunk.
@@ -50,7 +50,10 @@ public:
     faces_ = bytes_.next<std::uint32_t>("the number of faces");
     edges_ = bytes_.next<std::uint32_t>("the number of edges");
     while (!(has_points_ && has_polygons_)) {
-      const Chunk chunk(bytes_.next<std::uint16_t>("the vertices and faces"));
+      const Chunk chunk(bytes_.next<std::uint16_t>("vertices and faces"));
+      if (chunk.entity == Entity::end)
+        throw std::runtime_error(
+            fmt::format("byte {}: expected vertices and faces, found the end", bytes_.position() - 2));
       if (chunk.has_name)
         bytes_.skip(bytes_.next<std::uint8_t>("the length of a name"), 1, "a letter of a name");
       if (chunk.entity == Entity::vertex && chunk.content == Content::position && !has_points_)

@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What each format of mesh files says, given the content of a file. CGAL's and OpenMesh's readers are not used here: they tell
-// that a file is wrong, but not where, take the memory that a header asks for, and OpenMesh's reader of OM
-// writes where the file tells it to.
+// What each format of mesh files holds, given the content of a file. Our own readers, as CGAL's tell that a file is wrong but
+// not where, take what memory a header asks for, drop the rest of a face at a tab (OBJ) or at the end of the file (PLY) and
+// refuse lines of OBJ that they do not know; OpenMesh's lose faces after a comment (OFF), and write where a damaged OM file
+// tells them to.
 #ifndef EXTREMAL_MESH_3_SRC_POLYGONS_SOUP_READERS_H
 #define EXTREMAL_MESH_3_SRC_POLYGONS_SOUP_READERS_H
 
