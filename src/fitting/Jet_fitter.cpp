@@ -32,9 +32,9 @@ struct Limits {
 // rough if not wrong in places. Even discs of 27 points have a gain of 24; narrow stripes, whose condition is as good as that of discs,
 // have much more. The gain falls with the fourth power of the radius: from 24 to 200 for half a disc costs a growth by 1.4.
 constexpr Limits good{150, 200, 0}, // by all means
-    tolerable{1000, 2000, 8};      // if twice the radius did not help
-constexpr double growth = 1.1; // small steps, again for smoothness
-constexpr int most_growths = 32; // a factor of 21
+    tolerable{1000, 2000, 8};       // if twice the radius did not help
+constexpr double growth = 1.1;      // small steps, again for smoothness
+constexpr int most_growths = 32;    // a factor of 21
 
 bool within(const Limits& limits, const Jet& jet, double gain, int growths) {
   return jet.determined && jet.condition < limits.condition && gain < limits.gain && growths >= limits.growths;
@@ -128,7 +128,8 @@ void Jet_fitter::fit_batch(Vertex_shapes& result) {
     q.radius = scale;
     const double r = task.first_scale / scale, gain = jet.third_error * (r * r * r);
     const bool rings = task.extent.rings > 0; // who asks for them shall have them
-    if (!within(good, jet, gain, task.growths) && !within(tolerable, jet, gain, rings ? tolerable.growths : task.growths)) {
+    if (!within(good, jet, gain, task.growths) &&
+        !within(tolerable, jet, gain, rings ? tolerable.growths : task.growths)) {
       if (grow(task)) {
         add(task, result);
         continue;

@@ -32,9 +32,17 @@ void add_cell(const Cell_complex& cells, std::size_t c, bool normals, std::vecto
   }
 }
 
+/// tells whether n has a direction. Otherwise it becomes zero.
+bool make_unit(Vector& n) {
+  const double length = norm(n);
+  n = length > 0 ? (1 / length) * n : Vector{};
+  return length > 0;
+}
+
 } // namespace
 
-std::vector<Mesh_vertex> mesh_vertices(const Cell_complex& cells, const std::vector<Vector>& given_normals) {
+std::vector<Mesh_vertex> mesh_vertices(const Cell_complex& cells, const Adjacency& adjacency,
+                                       const std::vector<Vector>& given_normals) {
   std::vector<Mesh_vertex> vertices(cells.points.size());
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     vertices[v].p = cells.points[v];
@@ -43,10 +51,18 @@ std::vector<Mesh_vertex> mesh_vertices(const Cell_complex& cells, const std::vec
   }
   for (std::size_t c = 0; c < cells.number_of_cells(); ++c)
     add_cell(cells, c, given_normals.empty(), vertices);
-  for (Mesh_vertex& v : vertices) {
-    const double length = norm(v.n);
-    v.n = length > 0 ? (1 / length) * v.n : Vector{};
+  std::vector<std::uint32_t> without;
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    if (!make_unit(vertices[v].n))
+      without.push_back(std::uint32_t(v));
+  std::vector<Vector> stand_in(without.size(), Vector{});
+  for (std::size_t i = 0; i < without.size(); ++i) {
+    for (const std::uint32_t w : adjacency[without[i]])
+      stand_in[i] = stand_in[i] + vertices[w].n;
+    make_unit(stand_in[i]);
   }
+  for (std::size_t i = 0; i < without.size(); ++i)
+    vertices[without[i]].n = stand_in[i];
   return vertices;
 }
 

@@ -19,8 +19,9 @@ struct alignas(64) Mesh_vertex {
 };
 
 /// the vertices with their normals: those given, or else the sums of the normals at the corners of the cells, weighted by
-/// angle, which does not depend on how a flat area is divided.
-std::vector<Mesh_vertex> mesh_vertices(const Cell_complex& cells, const std::vector<Vector>& given_normals);
+/// angle, which does not depend on how a flat area is divided. Where there is none, the neighbours' stand in.
+std::vector<Mesh_vertex> mesh_vertices(const Cell_complex& cells, const Adjacency& adjacency,
+                                       const std::vector<Vector>& given_normals);
 
 /// the distance between neighbouring vertices that an even triangulation with as many vertices would have around each vertex,
 /// averaged over the surface so that it changes slowly.

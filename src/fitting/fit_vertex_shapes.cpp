@@ -4,15 +4,14 @@
 
 #include <CGAL/Extremal_mesh_3/errors.h>
 
-#include "../cells/parallel.h"
 #include "../differential/vector.h"
-#include "Jet_fitter.h"
+#include "fit_jets.h"
 
 #include <fmt/format.h>
-#include <tbb/enumerable_thread_specific.h>
 
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <stdexcept>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -28,20 +27,50 @@ void require_valid(const Cell_complex& cells, const Fit_options& options) {
         fmt::format("there are {} normals for {} points", options.normals.size(), cells.points.size()));
   for (std::size_t v = 0; v < cells.points.size(); ++v)
     if (const Point& p = cells.points[v]; !std::isfinite(dot(p, p)))
-      throw std::invalid_argument(fmt::format("point {} is ({}, {}, {}), which is not finite", v, p[0], p[1], p[2]));
+      throw std::invalid_argument(
+          fmt::format("point {} is ({}, {}, {}), which is not finite, or too large", v, p[0], p[1], p[2]));
   for (std::size_t v = 0; v < options.normals.size(); ++v)
     if (const Vector& n = options.normals[v]; !(std::abs(dot(n, n) - 1) < 1e-6))
       throw std::invalid_argument(
           fmt::format("normal {} is ({}, {}, {}), which is not a unit vector", v, n[0], n[1], n[2]));
 }
 
-/// the middle one when sorted; 0 if there are none.
-double median(std::vector<double> values) {
-  if (values.empty())
-    return 0;
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+/// the size of the last digits of the coordinates. Files often hold floats.
+double rounding_of(const std::vector<Point>& points) {
+  double largest = 0;
+  bool floats = true;
+  for (const Point& p : points)
+    for (const double x : p) {
+      largest = std::max(largest, std::abs(x));
+      floats = floats && double(float(x)) == x;
+    }
+  return std::ldexp(largest, floats ? -24 : -53);
+}
+
+Fit_report report_on(const Jets& jets, const std::vector<double>& sampling) {
+  // Of values in order, so that their order in the mesh has no influence.
+  const auto median = [](std::vector<double>& values) {
+    std::sort(values.begin(), values.end());
+    return values.empty() ? 0 : values[values.size() / 2];
+  };
+  Fit_report report;
+  std::vector<double> distances = sampling, radii, residuals;
+  for (const Fit_quality& q : jets.shapes.quality)
+    if (q.known()) {
+      radii.push_back(q.radius);
+      residuals.push_back(q.residual);
+    }
+  report.sampling = median(distances);
+  report.radius_median = median(radii);
+  if (!radii.empty()) {
+    report.radius_min = radii.front();
+    report.radius_max = radii.back();
+  }
+  report.noise = median(residuals);
+  report.fitted = radii.size();
+  report.grown = jets.grown;
+  report.not_fitted = jets.shapes.quality.size() - radii.size();
+  return report;
 }
 
 } // namespace
@@ -49,50 +78,27 @@ double median(std::vector<double> values) {
 Fit fit_vertex_shapes(const Cell_complex& cells, const Fit_options& options) {
   require_valid(cells, options);
   Thread_pool pool(options.threads);
-  const std::size_t n = cells.points.size();
-  const std::vector<Mesh_vertex> vertices = mesh_vertices(cells, options.normals);
-  const Adjacency adjacency = options.rings > 0 ? neighbours_along_edges(cells) : neighbours_across_cells(cells);
-  const std::vector<double> sampling = sampling_distances(vertices, adjacency);
-
-  Fit fit;
-  fit.shapes.shapes.resize(n);
-  fit.shapes.fourth.resize(n);
-  fit.shapes.quality.resize(n);
-  const double default_multiple = std::getenv("CM") ? std::atof(std::getenv("CM")) : 4;
-  const auto extent = [&](std::size_t v) {
-    return Extent{options.radius > 0 ? options.radius : default_multiple * sampling[v], options.rings};
+  const auto progress = [&](double part) {
+    if (options.progress && !options.progress(part))
+      throw Cancelled();
   };
-  constexpr std::size_t block = 256;
-  tbb::enumerable_thread_specific<Jet_fitter> fitters([&] { return Jet_fitter(vertices, adjacency, 0); });
-  pool.for_each((n + block - 1) / block, 1, [&](std::size_t b) {
-    Jet_fitter& fitter = fitters.local();
-    for (std::size_t v = b * block; v < std::min(n, (b + 1) * block); ++v)
-      fitter.fit(std::uint32_t(v), extent(v), fit.shapes);
-    fitter.finish(fit.shapes);
-  });
 
-  Fit_report& report = fit.report;
-  report.sampling = median(sampling);
-  std::vector<double> radii, residuals;
-  for (std::size_t v = 0; v < n; ++v) {
-    const Fit_quality& q = fit.shapes.quality[v];
-    if (q.state != Fit_state::fitted) {
-      ++report.not_fitted;
-      continue;
-    }
-    ++report.fitted;
-    radii.push_back(q.radius);
-    residuals.push_back(q.residual);
+  Fit_input input;
+  input.adjacency = options.rings > 0 ? neighbours_along_edges(cells) : neighbours_across_cells(cells);
+  input.vertices = mesh_vertices(cells, input.adjacency, options.normals);
+  input.sampling = sampling_distances(input.vertices, input.adjacency);
+  input.rounding = rounding_of(cells.points);
+
+  if (options.rings == 0 && options.radius == 0) {
+    Default_fit fit = fit_jets_with_default_radius(input, pool, progress);
+    Fit_report report = report_on(fit.jets, input.sampling);
+    report.multiple = fit.multiple;
+    return {std::move(fit.jets.shapes), report};
   }
-  if (!radii.empty()) {
-    report.radius_min = *std::min_element(radii.begin(), radii.end());
-    report.radius_max = *std::max_element(radii.begin(), radii.end());
-  }
-  for (const Jet_fitter& f : fitters)
-    report.grown += f.grown();
-  report.radius_median = median(radii);
-  report.noise = median(residuals);
-  return fit;
+  const std::vector<Extent> extents(cells.points.size(), {options.radius, options.rings});
+  Jets jets = fit_jets(input, extents, pool, progress);
+  const Fit_report report = report_on(jets, input.sampling);
+  return {std::move(jets.shapes), report};
 }
 
 } // namespace CGAL::Extremal_mesh_3

@@ -26,7 +26,8 @@ struct Fit_options {
 
 /// What was met on the way.
 struct Fit_report {
-  double sampling = 0; ///< median distance of neighbouring vertices
+  double sampling = 0; ///< median distance of neighbouring vertices, that of an even triangulation with as many
+  double multiple = 0; ///< of the local distance of neighbours: the default radius; 0 if that was not asked for
   double radius_min = 0, radius_median = 0, radius_max = 0; ///< of the neighbourhoods
   double noise = 0; ///< median residual, a length
   std::size_t fitted = 0, grown = 0, not_fitted = 0; ///< vertices; grown: with a larger radius than asked for

@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a radius R does, measured on the ellipsoid x² + 2y² + 4z² = 1 (benchmark/fit_benchmark.cpp prints the tables). The error of C
+// has two parts. Truncation: the surface is not its jet; in proportion to R², but smooth over the surface, so it moves lines a
+// little and makes none. Noise: in proportion to R^−4, different at every vertex, so it makes lines where there are none. So R
+// is as small as the noise allows, and the noise has to be known. Residuals are both, too: truncation grows with R^5, noise does
+// not change. Two radii tell them apart.
+#include "fit_jets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace CGAL::Extremal_mesh_3 {
+
+namespace {
+
+// 27 points for an even triangulation. With less than 2.5 many neighbourhoods have to grow; the larger, the more truncation.
+constexpr double smallest_multiple = 2.75;
+constexpr double step = 1.25;
+constexpr int steps = 8; // up to 16.4, with 980 points
+// Of C. With twice as much there are several times as many extremal points as the ellipsoid has, with half as much none too many.
+constexpr double most_noise = 0.03;
+// Where C is 0, as on spheres: the part of the curvatures by which noise in C changes them within a neighbourhood.
+constexpr double most_noise_of_curvature = 1e-3;
+// Residuals above this multiple of the noise mean that the surface bends more than jets can follow.
+constexpr double most_residual = 2;
+
+double multiple_at(int i) {
+  return smallest_multiple * std::pow(step, i);
+}
+
+double median(std::vector<double>& values) {
+  if (values.empty())
+    return 0;
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// the root of the mean of all but the largest hundredth of the squares: a few wild ones shall not decide.
+double trimmed_rms(std::vector<double>& squares) {
+  const std::size_t count = squares.size() - squares.size() / 100;
+  if (count == 0)
+    return 0;
+  std::nth_element(squares.begin(), squares.begin() + std::ptrdiff_t(count - 1), squares.end());
+  std::sort(squares.begin(), squares.begin() + std::ptrdiff_t(count)); // for a sum that does not depend on numbering
+  double sum = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    sum += squares[i];
+  return std::sqrt(sum / double(count));
+}
+
+/// What jets look like, over the whole mesh.
+struct Statistics {
+  double residual = 0;  ///< standard deviation from the surface, median
+  double error = 0;     ///< of C, if all of the residual were noise
+  double C = 0;         ///< root mean square over the surface and all directions, noise included
+  double curvature = 0; ///< root mean square
+  double radius = 0;    ///< median
+};
+
+Statistics statistics(const Vertex_shapes& shapes) {
+  std::vector<double> residual, error, C, curvature, radius;
+  for (std::size_t v = 0; v < shapes.shapes.size(); ++v) {
+    const Fit_quality& q = shapes.quality[v];
+    if (!q.known())
+      continue;
+    const Local_shape& s = shapes.shapes[v];
+    residual.push_back(q.residual / std::sqrt(double(q.points - jet_size) / double(q.points)));
+    error.push_back(q.C_error * q.C_error);
+    C.push_back((std::norm(s.A1) + std::norm(s.A3)) / 2);
+    curvature.push_back(s.H * s.H + std::norm(s.Q));
+    radius.push_back(q.radius);
+  }
+  return {median(residual), trimmed_rms(error), trimmed_rms(C), trimmed_rms(curvature), median(radius)};
+}
+
+/// the part of the residuals that does not grow as truncation does.
+double noise_of(const Statistics& a, const Statistics& b) {
+  const double q = std::pow(step, 10); // truncation, squared
+  return std::sqrt(std::max(0.0, (q * a.residual * a.residual - b.residual * b.residual) / (q - 1)));
+}
+
+/// the error of C that noise of this size makes.
+double C_error(const Statistics& s, double noise) {
+  return noise < s.residual ? s.error * (noise / s.residual) : s.error;
+}
+
+bool little(double C_error, const Statistics& s) {
+  const double C = std::sqrt(std::max(0.0, s.C * s.C - C_error * C_error)); // without what noise adds
+  return C_error <= most_noise * C || C_error * s.radius <= most_noise_of_curvature * s.curvature;
+}
+
+} // namespace
+
+Default_fit fit_jets_with_default_radius(const Fit_input& input, Thread_pool& pool,
+                                         const std::function<void(double)>& progress) {
+  double done = 0;
+  const auto fit = [&](int i) {
+    std::vector<Extent> extents;
+    for (const double h : input.sampling)
+      extents.push_back({multiple_at(i) * h, 0});
+    // How many more fits will follow is not known: each does half of what remains.
+    Default_fit result{fit_jets(input, extents, pool, [&](double part) { progress(done + (1 - done) / 2 * part); }),
+                       multiple_at(i)};
+    done += (1 - done) / 2;
+    return result;
+  };
+
+  Default_fit first = fit(0);
+  const Statistics a = statistics(first.jets.shapes);
+  if (little(a.error, a))
+    return first;
+  int i = 1;
+  Default_fit current = fit(i);
+  Statistics s = statistics(current.jets.shapes);
+  const double noise = noise_of(a, s);
+  if (little(C_error(a, noise), a))
+    return first;
+  first = {};
+  for (;;) {
+    const double error = C_error(s, noise);
+    if (little(error, s) || i == steps)
+      return current;
+    if (s.residual > most_residual * noise) {
+      // Back to where truncation, which has grown with the fifth power, was within the bounds.
+      const double bound = (most_residual * most_residual - 1) * noise * noise;
+      const double back = std::log(bound / (s.residual * s.residual - noise * noise)) / (10 * std::log(step));
+      const int j = std::max(0, i + int(std::floor(back)));
+      return j < i ? fit(j) : current;
+    }
+    // Noise falls with the fourth power of the radius; C, without the noise, is no more than what it is here with it.
+    const double needed = std::log(error / (most_noise * s.C)) / (4 * std::log(step));
+    i = std::clamp(i + int(std::ceil(needed)), i + 1, steps);
+    current = fit(i);
+    s = statistics(current.jets.shapes);
+  }
+}
+
+} // namespace CGAL::Extremal_mesh_3
