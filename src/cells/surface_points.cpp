@@ -9,9 +9,6 @@
 
 namespace CGAL::Extremal_mesh_3 {
 
-namespace {
-
-/// the root of f on p + t·step, 0 ≤ t ≤ 1, where f has the signs of v0 and v1 at the ends: Newton, kept in a bracket.
 double root_on_edge(const Function_3& f, const Point& p, const Vector& step, double v0, double v1) {
   double low = 0, high = 1, t = v0 / (v0 - v1);
   const bool rising = v1 >= 0;
@@ -33,8 +30,6 @@ double root_on_edge(const Function_3& f, const Point& p, const Vector& step, dou
   }
   return t;
 }
-
-} // namespace
 
 std::optional<Point> project(const Function_3& f, const Point& x, const Vector& direction, double reach) {
   Derivatives d;
