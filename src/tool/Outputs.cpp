@@ -3,9 +3,9 @@
 #include "Outputs.h"
 
 #include "Progress_bar.h"
+#include "summary_text.h"
 
 #include <CGAL/Extremal_mesh_3/io.h>
-#include <CGAL/Extremal_mesh_3/summary.h>
 
 #include <fmt/format.h>
 
@@ -106,7 +106,7 @@ void Outputs::write(const Output& output, const Result& result) const {
   case Kind::surface:
     return write_off(output.file, result.surface);
   case Kind::report:
-    return write_text_file(output.file, to_json(extraction.mesh, result.checks, &extraction.report) + "\n");
+    return write_text_file(output.file, report_json(result) + "\n");
   }
 }
 

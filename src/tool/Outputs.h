@@ -3,23 +3,15 @@
 #ifndef EXTREMAL_MESH_3_SRC_TOOL_OUTPUTS_H
 #define EXTREMAL_MESH_3_SRC_TOOL_OUTPUTS_H
 
+#include "Result.h"
 #include "commands.h"
 
-#include <CGAL/Extremal_mesh_3/check.h>
-#include <CGAL/Extremal_mesh_3/extract_extremal_mesh.h>
 #include <CGAL/Extremal_mesh_3/render.h>
 
 #include <string>
 #include <vector>
 
 namespace CGAL::Extremal_mesh_3::tool {
-
-/// All that `extract` can write.
-struct Result {
-  Cell_complex surface;
-  Extraction extraction;
-  std::vector<Check> checks;
-};
 
 /// The files that `extract` was asked for.
 class Outputs {

@@ -25,11 +25,13 @@ public:
 };
 
 struct Extract_options {
-  std::string input; ///< an image; empty if there is a formula
+  std::string input; ///< an image or a mesh; empty if there is a formula
   std::optional<std::string> formula;
   std::optional<std::array<double, 6>> box;
   std::optional<std::int64_t> resolution;
   std::optional<double> iso, sigma;
+  std::optional<double> radius, weld;
+  std::optional<int> rings;
   std::vector<std::string> outputs; ///< what they are follows from their extensions
   std::string lines, cells, surface, report;
   Vector view{}, up{}; ///< zero: the renderer's own

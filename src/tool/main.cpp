@@ -36,16 +36,24 @@ std::vector<std::string> arguments(int argc, char** argv) {
 }
 
 void add_extract(CLI::App& app, tool::Extract_options& options, std::function<int()>& run) {
-  CLI::App* command = app.add_subcommand("extract", "extracts the extremal mesh of a surface f = 0 or of an image");
-  command->add_option("INPUT", options.input, "an image: .nrrd .nhdr .mha .mhd .nii .nii.gz .vtk")->type_name("");
+  CLI::App* command =
+      app.add_subcommand("extract", "extracts the extremal mesh of a surface f = 0, an image or a polygon mesh");
+  command
+      ->add_option("INPUT", options.input,
+                   "an image: .nrrd .nhdr .mha .mhd .nii .nii.gz .vtk; or a mesh: .off .obj .ply .stl .om")
+      ->type_name("");
   const auto option = [&](const std::string& name, auto& value, const std::string& type, const std::string& text) {
     return command->add_option(name, value, text)->type_name(type);
   };
   option("--formula", options.formula, "TEXT", "a function of x, y and z, negative inside");
-  option("--box", options.box, "X0 Y0 Z0 X1 Y1 Z1", "where to look for the surface");
-  option("--resolution", options.resolution, "N", "cubes across the longest side of the box (64)");
-  option("--iso", options.iso, "VALUE", "the value of the image on the surface");
-  option("--sigma", options.sigma, "MM", "width of the Gaussian (the largest side of a voxel)");
+  option("--box", options.box, "X0 Y0 Z0 X1 Y1 Z1", "formulas: where to look for the surface");
+  option("--resolution", options.resolution, "N", "formulas: cubes across the longest side of the box (64)");
+  option("--iso", options.iso, "VALUE", "images: the value on the surface");
+  option("--sigma", options.sigma, "MM", "images: width of the Gaussian (the largest side of a voxel)");
+  option("--radius", options.radius, "R",
+         "meshes: the scale of the features looked for, in the mesh's unit (from its sampling and noise)");
+  option("--rings", options.rings, "N", "meshes: instead of a radius, how many edges away neighbours are");
+  option("--weld", options.weld, "LENGTH", "meshes: vertices so near to each other become one (0; STL: rounding)");
   option("-o,--output", options.outputs, "FILE", "the graph (.graphml), its cells (.off), a picture (.png); repeatable")
       ->allow_extra_args(false);
   option("--lines", options.lines, "FILE", "write the lines as coloured tubes (.off)");
@@ -56,13 +64,14 @@ void add_extract(CLI::App& app, tool::Extract_options& options, std::function<in
   option("--up", options.up, "DX DY DZ", "what points upwards in the picture (0 0 1)");
   option("--size", options.size, "WIDTHxHEIGHT", "of the picture in pixels (1600x1200)");
   option("--threads", options.threads, "N", "0: as many as there are cores (0)");
-  option("--max-level", options.max_level, "N", "how often a cell may be divided (14; images 8)");
+  option("--max-level", options.max_level, "N", "how often a cell may be divided (14; images and meshes 8)");
   option("--max-line-level", options.max_line_level, "N",
-         "the same where only the course of a line is uncertain (14; images 2)");
+         "the same where only the course of a line is uncertain (as --max-level; images 2)");
   command->add_flag("--quiet", options.quiet, "print errors only");
   command->footer("Example:\n  extremal_mesh extract --formula \"x^2/9+y^2/4+z^2-1\" --box -4 -3 -2 4 3 2 "
                   "-o ellipsoid.graphml -o ellipsoid.png\n"
-                  "  extremal_mesh extract skull.nii.gz --iso 300 --sigma 1.5 -o skull.graphml --report skull.json");
+                  "  extremal_mesh extract skull.nii.gz --iso 300 --sigma 1.5 -o skull.graphml --report skull.json\n"
+                  "  extremal_mesh extract femur.off --radius 0.05 -o femur.graphml -o femur.png");
   command->callback([&] { run = [&] { return tool::extract(options); }; });
 }
 

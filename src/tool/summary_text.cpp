@@ -5,6 +5,7 @@
 #include <CGAL/Extremal_mesh_3/summary.h>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace CGAL::Extremal_mesh_3::tool {
 
@@ -42,6 +43,35 @@ std::string cell_counts(const Summary& summary) {
   if (larger != 0)
     enumerate(list, fmt::format("{} with more", larger));
   return list;
+}
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Mesh_repairs& r) {
+  return {{"isolated_vertices", r.isolated_vertices},
+          {"welded_vertices", r.welded_vertices},
+          {"degenerate_faces", r.degenerate_faces},
+          {"duplicate_faces", r.duplicate_faces},
+          {"non_manifold_edges", r.non_manifold_edges},
+          {"non_manifold_vertices", r.non_manifold_vertices},
+          {"flat_faces", r.flat_faces},
+          {"turned_faces", r.turned_faces}};
+}
+
+Json json_of(const Fit_report& r) {
+  return {{"sampling", r.sampling},     {"radius_min", r.radius_min}, {"radius_median", r.radius_median},
+          {"radius_max", r.radius_max}, {"noise", r.noise},           {"fitted", r.fitted},
+          {"grown", r.grown},           {"not_fitted", r.not_fitted}};
+}
+
+std::string fit_text(const Fit_report& r) {
+  std::string text =
+      fmt::format("surface points with radius {:.3g} ({:.3g} to {:.3g})", r.radius_median, r.radius_min, r.radius_max);
+  if (r.grown != 0)
+    text += fmt::format(", {} of them with an enlarged one", r.grown);
+  if (r.not_fitted != 0)
+    text += fmt::format(", {} not fitted", r.not_fitted);
+  return line("fitted", r.fitted, text);
 }
 
 std::string surface_text(const Surface_info& surface) {
@@ -82,6 +112,24 @@ std::string summary_text(const Extremal_mesh& mesh, const std::vector<Check>& ch
   }
   text += line("checks", applicable, violated.empty() ? "all hold" : "violated: " + violated);
   return text;
+}
+
+std::string result_text(const Result& result) {
+  std::string text;
+  if (result.repairs && result.repairs->any())
+    text += to_string(*result.repairs) + "\n";
+  if (result.fit)
+    text += fit_text(*result.fit);
+  return text + summary_text(result.extraction.mesh, result.checks, &result.extraction.report);
+}
+
+std::string report_json(const Result& result) {
+  Json json = Json::parse(to_json(result.extraction.mesh, result.checks, &result.extraction.report));
+  if (result.repairs)
+    json["repairs"] = json_of(*result.repairs);
+  if (result.fit)
+    json["fit"] = json_of(*result.fit);
+  return json.dump(2);
 }
 
 std::string checks_text(const std::vector<Check>& checks) {

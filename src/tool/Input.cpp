@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Input.h"
+
+#include "Progress_bar.h"
+
+#include <CGAL/Extremal_mesh_3/Formula.h>
+#include <CGAL/Extremal_mesh_3/Image_function.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace CGAL::Extremal_mesh_3::tool {
+
+namespace {
+
+constexpr std::int64_t default_resolution = 64;
+/// More cubes on a side than this are a slip of the finger: the values alone would take days.
+constexpr std::int64_t highest_resolution = 20000;
+
+/// With more the neighbourhood is the whole mesh.
+constexpr int most_rings = 1000;
+
+/// How often a cell may be divided.
+constexpr int function_level = 14;
+constexpr int image_level = 8;
+/// The noise of an image makes lines that nearly touch everywhere; to settle them all would take most of the time.
+constexpr int image_line_level = 2;
+constexpr int mesh_level = 8;
+
+Lattice lattice_of(const Extract_options& options, std::int64_t resolution) {
+  const std::array<double, 6>& box = *options.box;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double low = box[a], high = box[a + 3];
+    if (!std::isfinite(low) || !std::isfinite(high))
+      throw Usage_error("the numbers of the box must be finite; give --box x0 y0 z0 x1 y1 z1");
+    if (!(low < high))
+      throw Usage_error(fmt::format("the box is empty: {0}0 = {1} is not less than {0}1 = {2}; give --box x0 y0 z0 x1 "
+                                    "y1 z1 with the lower corner first",
+                                    "xyz"[a], low, high));
+  }
+  if (resolution < 1 || resolution > highest_resolution)
+    throw Usage_error(
+        fmt::format("the resolution is {}; give --resolution a number from 1 to {}", resolution, highest_resolution));
+  return make_lattice({box[0], box[1], box[2]}, {box[3], box[4], box[5]}, std::size_t(resolution));
+}
+
+void refuse_mesh_options(const Extract_options& options) {
+  if (options.radius || options.rings || options.weld)
+    throw Usage_error("--radius, --rings and --weld are for meshes");
+}
+
+Input formula_input(const Extract_options& options) {
+  if (!options.box)
+    throw Usage_error("a formula needs a box in which to look for its surface; give --box x0 y0 z0 x1 y1 z1");
+  if (options.iso || options.sigma)
+    throw Usage_error("--iso and --sigma are for images; subtract the value in the formula instead");
+  refuse_mesh_options(options);
+  const std::int64_t resolution = options.resolution.value_or(default_resolution);
+  Input input;
+  input.max_level = function_level;
+  input.lattice = lattice_of(options, resolution);
+  try {
+    input.function = std::make_unique<Formula>(*options.formula);
+  } catch (const Formula_error& error) {
+    throw Usage_error(fmt::format("the formula cannot be understood: {}", error.what()));
+  }
+  input.source = *options.formula;
+  input.parameters = {{"formula", *options.formula}, {"box", *options.box}, {"resolution", resolution}};
+  return input;
+}
+
+Input image_input(const Extract_options& options) {
+  if (options.box || options.resolution)
+    throw Usage_error("--box and --resolution are for formulas; an image is taken whole, at its own resolution");
+  refuse_mesh_options(options);
+  if (!options.iso)
+    throw Usage_error(
+        fmt::format("'{}' is taken for an image, as its name does not end like that of a mesh (.off .obj .ply "
+                    ".stl .om); an image needs the value that its surface has; give --iso VALUE",
+                    options.input));
+  Image image = read_image(options.input);
+  Progress_bar bar("smoothing", options.quiet);
+  Image_function_options image_options;
+  image_options.iso = *options.iso;
+  image_options.sigma = options.sigma.value_or(0);
+  image_options.threads = options.threads;
+  image_options.progress = bar.progress();
+  auto function = std::make_unique<Image_function>(std::move(image), image_options);
+  Input input;
+  input.max_level = image_level;
+  input.max_line_level = image_line_level;
+  input.lattice = function->lattice();
+  input.source = options.input;
+  input.frame = "LPS";
+  input.parameters = {{"image", options.input}, {"iso", *options.iso}, {"sigma", function->sigma()}};
+  input.function = std::move(function);
+  return input;
+}
+
+Input mesh_input(const Extract_options& options) {
+  if (options.box || options.resolution || options.iso || options.sigma)
+    throw Usage_error("--box, --resolution, --iso and --sigma are for formulas and images; a mesh is taken as it is");
+  if (options.radius && options.rings)
+    throw Usage_error("there are a radius and a number of rings; give one of --radius and --rings");
+  if (options.radius && !(std::isfinite(*options.radius) && *options.radius > 0))
+    throw Usage_error(fmt::format("the radius is {}; give --radius a positive length", *options.radius));
+  if (options.rings && (*options.rings < 1 || *options.rings > most_rings))
+    throw Usage_error(
+        fmt::format("the number of rings is {}; give --rings a number from 1 to {}", *options.rings, most_rings));
+  Input input;
+  input.mesh = read_mesh(options.input, {.weld_tolerance = options.weld});
+  input.max_level = mesh_level;
+  input.source = options.input;
+  input.parameters = {{"mesh", options.input}};
+  if (options.weld)
+    input.parameters["weld"] = *options.weld;
+  return input;
+}
+
+} // namespace
+
+Input read_input(const Extract_options& options) {
+  if (options.formula && !options.input.empty())
+    throw Usage_error("there is an input file and a formula; give one of them");
+  if (!options.formula && options.input.empty())
+    throw Usage_error("there is nothing to extract from; give an image, a mesh, or --formula \"…\" and --box");
+  return options.formula               ? formula_input(options)
+         : is_mesh_file(options.input) ? mesh_input(options)
+                                       : image_input(options);
+}
+
+} // namespace CGAL::Extremal_mesh_3::tool
