@@ -259,9 +259,11 @@ bool add_sides(const Refined_complex& complex, const std::vector<Half_edge>& bor
   return added;
 }
 
+/// Phases this near to 0 or π, and values of P and Q that are less than this part of those around, are trouble.
+constexpr double on_line = 1e-4, small = 0.03;
+
 /// less than 1 if the sample lies on a line, or if |P| or |Q| is small against the values around.
 double distance_from_trouble(const Sample& s, double P_around, double Q_around) {
-  constexpr double on_line = 1e-4, small = 0.03;
   const double off_line = std::abs(std::sin(s.phase)) / on_line;
   return std::min({off_line, std::abs(s.P) / (small * P_around), std::abs(s.shape.Q) / (small * Q_around)});
 }
@@ -287,8 +289,10 @@ Border_crossings border_crossings(const Refined_complex& complex, const std::vec
   return met;
 }
 
-bool should_be_nudged(const Sample& s, double P_around, double Q_around) {
-  return distance_from_trouble(s, P_around, Q_around) < 1;
+bool should_be_nudged(const Sample& s, double P2_around, double Q2_around) {
+  const double off_line = std::min(std::abs(s.phase), pi - std::abs(s.phase));
+  return off_line < on_line || std::norm(s.P) < small * small * P2_around ||
+         std::norm(s.shape.Q) < small * small * Q2_around;
 }
 
 Sample nudged(const Surface& surface, const Sample& s, double size, double P_around, double Q_around,

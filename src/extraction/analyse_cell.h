@@ -41,8 +41,8 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
                            bool may_divide_lines);
 
 /// tells whether a sample lies on a line, or so near to a zero of P or Q that |P| or |Q| is small against the values
-/// around.
-bool should_be_nudged(const Sample& s, double P_around, double Q_around);
+/// around, of which the squares are given.
+bool should_be_nudged(const Sample& s, double P2_around, double Q2_around);
 
 /// the sample, or one moved within the surface by a small part of `size` if it should be.
 /// \param around  samples towards which it may be moved on a surface that interpolates

@@ -153,8 +153,18 @@ std::vector<double> distances_from(const Cell_complex& cells, const std::vector<
 
 /// makes strips generic that are not wider than the given lengths (an opening, as image processing calls it).
 void open(const Cell_complex& cells, const std::vector<double>& width, std::vector<State>& state) {
-  if (std::all_of(state.begin(), state.end(), [](State s) { return s == State::generic; }))
+  // Most surfaces have no point with degenerate neighbours only, and need no distances.
+  std::vector<char> inner(state.size());
+  for (std::size_t v = 0; v < state.size(); ++v)
+    inner[v] = state[v] != State::generic;
+  for (const auto& [a, b] : cells.edges) {
+    inner[a] = inner[a] && state[b] != State::generic;
+    inner[b] = inner[b] && state[a] != State::generic;
+  }
+  if (std::none_of(inner.begin(), inner.end(), [](char c) { return c; })) {
+    std::fill(state.begin(), state.end(), State::generic);
     return;
+  }
   std::vector<char> generic(state.size()), core(state.size());
   for (std::size_t v = 0; v < state.size(); ++v)
     generic[v] = state[v] == State::generic;

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -51,7 +52,7 @@ void nudge_corners(const Surface& surface, const Cell_complex& cells, std::vecto
   // Few are to be moved; their neighbours stay as they are given.
   std::vector<std::uint32_t> number(n, 0), moved;
   for (std::uint32_t i = 0; i < n; ++i)
-    if (should_be_nudged(samples[i], std::sqrt(around[i].P), std::sqrt(around[i].Q))) {
+    if (should_be_nudged(samples[i], around[i].P, around[i].Q)) {
       moved.push_back(i);
       number[i] = std::uint32_t(moved.size());
     }
@@ -111,15 +112,14 @@ template <class T> std::vector<T> chosen(const std::vector<T>& values, const std
   return result;
 }
 
-/// A mesh with a shape at every point.
+/// Cells with the shapes at their points.
 struct Shaped_cells {
   Cell_complex cells;
   Vertex_shapes shapes;
-  std::size_t unknown = 0; ///< cells that were taken away
 };
 
-/// takes away the cells with a corner at which the shape is not known.
-Shaped_cells without_unknown(const Cell_complex& cells, const Vertex_shapes& shapes) {
+/// takes away the cells with a corner at which the shape is not known; nothing if there are none.
+std::optional<Shaped_cells> without_unknown(const Cell_complex& cells, const Vertex_shapes& shapes) {
   const auto unknown = [&](std::uint32_t v) { return !shapes.quality.empty() && !shapes.quality[v].known(); };
   std::vector<char> removed(cells.number_of_cells(), 0);
   for (std::size_t c = 0; c < removed.size(); ++c)
@@ -127,15 +127,15 @@ Shaped_cells without_unknown(const Cell_complex& cells, const Vertex_shapes& sha
       removed[c] |= char(unknown(cells.source(cells.half_edges[h])));
   const auto number = std::size_t(std::count(removed.begin(), removed.end(), char(1)));
   if (number == 0)
-    return {cells, shapes, 0};
+    return std::nullopt;
   if (2 * number > removed.size())
     throw Extraction_error(fmt::format("{} of {} cells have corners at which no jet of degree 4 could be fitted: the "
                                        "mesh has too few vertices, or they lie on a few lines",
                                        number, removed.size()));
   Remaining_cells rest = remove_cells(cells, removed);
-  return {std::move(rest.cells),
-          {chosen(shapes.shapes, rest.point), chosen(shapes.fourth, rest.point), chosen(shapes.quality, rest.point)},
-          number};
+  return Shaped_cells{
+      std::move(rest.cells),
+      {chosen(shapes.shapes, rest.point), chosen(shapes.fourth, rest.point), chosen(shapes.quality, rest.point)}};
 }
 
 /// divides the cells, draws the lines across them, and gathers the mesh that they make.
@@ -185,23 +185,27 @@ Extraction extract_extremal_mesh(const Cell_complex& cells, const Vertex_shapes&
   Thread_pool pool(options.threads);
   const Interpolated_surface surface;
   surface.require_valid(cells, shapes);
-  Shaped_cells known = without_unknown(cells, shapes);
-  std::vector<Sample> samples = surface.samples(known.cells, known.shapes);
-  Degeneracy degeneracy = find_degeneracy(known.cells, samples, known.shapes.quality, pool);
+  const std::optional<Shaped_cells> known = without_unknown(cells, shapes);
+  const Cell_complex* rest = known ? &known->cells : &cells;
+  const Vertex_shapes& shapes_of_rest = known ? known->shapes : shapes;
+  const std::size_t known_cells = rest->number_of_cells();
+  std::vector<Sample> samples = surface.samples(*rest, shapes_of_rest);
+  Degeneracy degeneracy = find_degeneracy(*rest, samples, shapes_of_rest.quality, pool);
   require_generic(degeneracy);
+  Remaining_cells generic;
   if (degeneracy.area > 0) {
     // What would be found there means nothing: it is cut out, and lines end at its border.
-    const Remaining_cells generic = remove_cells(known.cells, degeneracy.cells);
+    generic = remove_cells(*rest, degeneracy.cells);
     samples = chosen(samples, generic.point);
-    known.cells = generic.cells;
+    rest = &generic.cells;
     degeneracy.cells.assign(generic.cell.size(), 0);
   }
-  nudge_corners(surface, known.cells, samples, pool);
-  Extraction result = extract(surface, known.cells, std::move(samples), degeneracy, options);
+  nudge_corners(surface, *rest, samples, pool);
+  Extraction result = extract(surface, *rest, std::move(samples), degeneracy, options);
   result.report.surface_points = cells.points.size();
   result.report.surface_cells = cells.number_of_cells();
-  result.report.unknown_cells = known.unknown;
-  result.report.degenerate_cells = cells.number_of_cells() - known.unknown - known.cells.number_of_cells();
+  result.report.unknown_cells = cells.number_of_cells() - known_cells;
+  result.report.degenerate_cells = known_cells - rest->number_of_cells();
   return result;
 }
 
