@@ -8,21 +8,28 @@
 #include <CGAL/Extremal_mesh_3/internal/Sampled_surface.h>
 #include <CGAL/Extremal_mesh_3/named_parameters.h>
 
+#include <type_traits>
 #include <utility>
 
+// Unlike the other public headers this one and named_parameters.h need CGAL's.
 namespace CGAL::Extremal_mesh_3 {
+
+namespace internal {
+template <class Graph>
+concept Has_vertices_and_faces = requires(const Graph& graph) {
+  vertices(graph), faces(graph);
+};
+template <class Graph>
+concept Has_face_descriptor = requires {
+  typename boost::graph_traits<Graph>::face_descriptor;
+};
+} // namespace internal
 
 /// A model of CGAL's concept `FaceListGraph`: `CGAL::Surface_mesh`, `CGAL::Polyhedron_3`, OpenMesh's `PolyMesh_ArrayKernelT`
 /// and `TriMesh_ArrayKernelT` (with <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>), and others.
+// In this order: of what is no graph at all Boost's traits do not compile.
 template <class Graph>
-concept Face_list_graph = // the functions first: of what is no graph at all, Boost's traits do not compile
-    requires(const Graph& graph) {
-  vertices(graph);
-  faces(graph);
-}
-&&requires {
-  typename boost::graph_traits<Graph>::face_descriptor;
-};
+concept Face_list_graph = internal::Has_vertices_and_faces<Graph> && internal::Has_face_descriptor<Graph>;
 
 /// makes a cell complex of the faces of a graph, which may have any number of sides and need not be plane. They are oriented as
 /// in the graph. Its points are the vertices in the order of `vertices(graph)`, but those without a face.
