@@ -209,8 +209,8 @@ Jet jet_in_lane(const Workspace& s, std::size_t l, std::size_t count) {
   const double weight = s.weight.at[l];
   jet.residual = std::sqrt(s.square.at[l] / weight);
   jet.noise = jet.residual / std::sqrt(double(count - jet_size) / double(count));
-  // Were a weight the inverse of a variance, the errors would be those of the inverse matrix. These weights are less than what
-  // the points are worth; measured on noisy meshes, this factor leaves errors that are too large by a tenth.
+  // Exact for equal weights. With those that fall to 0 at the radius, the errors are too large: by 7 % and by 28 %, measured
+  // with noise on even and uneven planes of 30 to 700 points.
   const double variance = s.weight2.at[l] / weight;
   // The mean over θ of the squares of D(t, t) and D(t, t, t), with t = (cos θ, sin θ) and D the derivatives: c_i is the sum of the
   // coefficients' covariances times the mean of cos^(2n−i−j) sin^(i+j).

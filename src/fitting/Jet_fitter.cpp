@@ -57,11 +57,27 @@ void Jet_fitter::add(Task task, Vertex_shapes& result) {
     fit_batch(result);
 }
 
-/// makes the neighbourhood larger, if that is possible.
+/// takes the mean normal of the cells around the vertex for its own, which may be wild where cells are folded.
+bool Jet_fitter::begin_again(Task& task) {
+  if (task.begun_again)
+    return false;
+  Task again{task.vertex, task.first_extent, task.first_extent};
+  again.begun_again = true;
+  for (const std::uint32_t w : adjacency_[task.vertex])
+    again.normal = again.normal + vertices_[w].area * vertices_[w].n;
+  const double length = norm(again.normal);
+  if (!(length > 0))
+    return false;
+  again.normal = (1 / length) * again.normal;
+  task = again;
+  return true;
+}
+
+/// makes the neighbourhood larger, or finds another one, if that is possible.
 bool Jet_fitter::grow(Task& task) {
   if (!task.can_grow || task.growths == most_growths)
-    return false;
-  grown_ += task.growths == 0;
+    return begin_again(task);
+  grown_ += task.growths == 0 && !task.begun_again;
   ++task.growths;
   task.extent.radius *= growth;
   task.extent.rings += task.extent.rings > 0;
@@ -71,8 +87,8 @@ bool Jet_fitter::grow(Task& task) {
 /// puts the neighbourhood into the batch, if it has enough points.
 bool Jet_fitter::gather(Task& task) {
   const bool rings = task.extent.rings > 0;
-  const auto found = rings ? walk_.within_rings(task.vertex, task.extent.rings)
-                           : walk_.within_distance(task.vertex, task.extent.radius);
+  const auto found = rings ? walk_.within_rings(task.vertex, task.normal, task.extent.rings)
+                           : walk_.within_distance(task.vertex, task.normal, task.extent.radius);
   task.points = found.size();
   task.can_grow = walk_.can_grow();
   if (found.size() < (rings ? least_points_in_rings : least_points_in_ball))
@@ -100,8 +116,8 @@ bool Jet_fitter::gather(Task& task) {
   task.frame.x = any_orthogonal(task.frame.z);
   task.frame.y = cross(task.frame.z, task.frame.x);
 
-  if (task.growths == 0)
-    task.first_scale = task.frame.scale;
+  if (task.first_reach == 0)
+    task.first_reach = std::sqrt(farthest);
 
   const double s = 1 / task.frame.scale;
   const Vector x = s * task.frame.x, y = s * task.frame.y, z = s * task.frame.z;
@@ -126,7 +142,7 @@ void Jet_fitter::fit_batch(Vertex_shapes& result) {
     q = {};
     q.points = std::uint32_t(task.points);
     q.radius = scale;
-    const double r = task.first_scale / scale, gain = jet.third_error * (r * r * r);
+    const double r = task.first_reach / scale, gain = jet.third_error * (r * r * r);
     const bool rings = task.extent.rings > 0; // who asks for them shall have them
     if (!within(good, jet, gain, task.growths) &&
         !within(tolerable, jet, gain, rings ? tolerable.growths : task.growths)) {

@@ -21,11 +21,15 @@ class Jet_fitter {
 public:
   /// \param rounding  of coordinates: no fit is taken to be more exact
   Jet_fitter(const std::vector<Mesh_vertex>& vertices, const Adjacency& adjacency, double rounding)
-      : vertices_(vertices), rounding_(rounding), walk_(vertices, adjacency) {}
+      : vertices_(vertices), adjacency_(adjacency), rounding_(rounding), walk_(vertices, adjacency) {}
 
   /// fits a jet at v, now or when others come, and writes its entries of `result`.
   /// \param extent  of its neighbourhood to begin with
-  void fit(std::uint32_t v, Extent extent, Vertex_shapes& result) { add({v, extent}, result); }
+  void fit(std::uint32_t v, Extent extent, Vertex_shapes& result) {
+    Task task{v, extent, extent};
+    task.normal = vertices_[v].n;
+    add(task, result);
+  }
 
   /// fits those that still wait.
   void finish(Vertex_shapes& result) {
@@ -40,20 +44,24 @@ private:
   /// A vertex on its way to a jet.
   struct Task {
     std::uint32_t vertex = 0;
-    Extent extent;
+    Extent extent, first_extent;
+    Vector normal{}; ///< of the sheet at the vertex
+    bool begun_again = false;
     int growths = 0;
     std::size_t points = 0;
     bool can_grow = true;
-    double first_scale = 0; ///< of the frame, before it grew
+    double first_reach = 0; ///< the distance of the farthest point, before it grew
     Fit_frame frame{};
   };
 
   void add(Task task, Vertex_shapes& result);
   bool gather(Task& task);
   bool grow(Task& task);
+  bool begin_again(Task& task);
   void fit_batch(Vertex_shapes& result);
 
   const std::vector<Mesh_vertex>& vertices_;
+  const Adjacency& adjacency_;
   double rounding_;
   Surface_walk walk_;
   Jet_batch batch_;

@@ -18,10 +18,10 @@ void Surface_walk::start(std::uint32_t v) {
   can_grow_ = false;
 }
 
-std::span<const std::uint32_t> Surface_walk::within_distance(std::uint32_t v, double radius) {
+std::span<const std::uint32_t> Surface_walk::within_distance(std::uint32_t v, const Vector& normal, double radius) {
   start(v);
   const Point p = vertices_[v].p;
-  const Vector n = vertices_[v].n;
+  const Vector n = normal;
   const double limit = radius * radius;
   for (std::size_t i = 0; i < found_.size(); ++i)
     for (const std::uint32_t w : adjacency_[found_[i]]) {
@@ -39,9 +39,9 @@ std::span<const std::uint32_t> Surface_walk::within_distance(std::uint32_t v, do
   return found_;
 }
 
-std::span<const std::uint32_t> Surface_walk::within_rings(std::uint32_t v, int rings) {
+std::span<const std::uint32_t> Surface_walk::within_rings(std::uint32_t v, const Vector& normal, int rings) {
   start(v);
-  const Vector n = vertices_[v].n;
+  const Vector n = normal;
   std::size_t first = 0;
   for (int ring = 0; ring <= rings; ++ring) {
     const std::size_t last = found_.size();

@@ -20,10 +20,11 @@ public:
 
   /// the vertices on a connected piece of the sheet that v is on, inside the ball around v; v is the first.
   /// Valid until the next walk.
-  std::span<const std::uint32_t> within_distance(std::uint32_t v, double radius);
+  /// \param normal  of the sheet there
+  std::span<const std::uint32_t> within_distance(std::uint32_t v, const Vector& normal, double radius);
 
   /// the vertices on the same sheet within so many steps; v is the first.
-  std::span<const std::uint32_t> within_rings(std::uint32_t v, int rings);
+  std::span<const std::uint32_t> within_rings(std::uint32_t v, const Vector& normal, int rings);
 
   /// tells whether more of them are found farther away than the last walk went.
   bool can_grow() const { return can_grow_; }

@@ -5,6 +5,7 @@
 #include <CGAL/Extremal_mesh_3/errors.h>
 
 #include "../differential/vector.h"
+#include "change_with_radius.h"
 #include "fit_jets.h"
 
 #include <fmt/format.h>
@@ -91,12 +92,14 @@ Fit fit_vertex_shapes(const Cell_complex& cells, const Fit_options& options) {
 
   if (options.rings == 0 && options.radius == 0) {
     Default_fit fit = fit_jets_with_default_radius(input, pool, progress);
+    find_change_with_radius(input, pool, fit.jets.shapes);
     Fit_report report = report_on(fit.jets, input.sampling);
     report.multiple = fit.multiple;
     return {std::move(fit.jets.shapes), report};
   }
   const std::vector<Extent> extents(cells.points.size(), {options.radius, options.rings});
   Jets jets = fit_jets(input, extents, pool, progress);
+  find_change_with_radius(input, pool, jets.shapes);
   const Fit_report report = report_on(jets, input.sampling);
   return {std::move(jets.shapes), report};
 }
