@@ -32,9 +32,9 @@ State state_of(const Sample& s, const Tolerance& zero) {
   return std::min(std::abs(q.e1), std::abs(q.e2)) < zero.C ? State::canal : State::generic;
 }
 
-/// The mean squares, around a vertex, of both extremalities and of the error of C.
+/// The mean squares, around a vertex, of both extremalities and of the change of C with the radius.
 struct Mean_squares {
-  double e1 = 0, e2 = 0, error = 0;
+  double e1 = 0, e2 = 0, change = 0;
 };
 
 /// takes them over about the neighbourhoods of the fits, by diffusion along the edges.
@@ -42,10 +42,12 @@ std::vector<Mean_squares> mean_squares(const Cell_complex& cells, const std::vec
                                        const std::vector<Fit_quality>& quality) {
   const std::size_t n = samples.size();
   std::vector<Mean_squares> mean(n), sum(n);
+  if (std::all_of(quality.begin(), quality.end(), [](const Fit_quality& q) { return q.C_change == 0; }))
+    return mean;
   std::vector<double> degree(n, 0);
   for (std::size_t v = 0; v < n; ++v) {
     const Principal_quantities q = principal_quantities(samples[v].shape);
-    mean[v] = {q.e1 * q.e1, q.e2 * q.e2, quality[v].C_error * quality[v].C_error};
+    mean[v] = {q.e1 * q.e1, q.e2 * q.e2, quality[v].C_change * quality[v].C_change};
   }
   double edges_in_radius = 0;
   for (const auto& [a, b] : cells.edges) {
@@ -61,12 +63,12 @@ std::vector<Mean_squares> mean_squares(const Cell_complex& cells, const std::vec
       for (const auto& [i, j] : {std::pair{a, b}, std::pair{b, a}}) {
         sum[i].e1 += mean[j].e1;
         sum[i].e2 += mean[j].e2;
-        sum[i].error += mean[j].error;
+        sum[i].change += mean[j].change;
       }
     for (std::size_t v = 0; v < n; ++v) {
       mean[v].e1 = (mean[v].e1 + sum[v].e1 / degree[v]) / 2;
       mean[v].e2 = (mean[v].e2 + sum[v].e2 / degree[v]) / 2;
-      mean[v].error = (mean[v].error + sum[v].error / degree[v]) / 2;
+      mean[v].change = (mean[v].change + sum[v].change / degree[v]) / 2;
     }
   }
   return mean;
@@ -74,23 +76,21 @@ std::vector<Mean_squares> mean_squares(const Cell_complex& cells, const std::vec
 
 /// \param quality  of the fit that gave the sample
 State state_of(const Sample& s, const Tolerance& rounding, const Fit_quality& quality, const Mean_squares& mean) {
-  // On spheres, planes and surfaces of revolution, e_i is the error of the fit alone. That is of the order k² (kR)³, R
-  // being the radius of the neighbourhood: 0.2 times that on spheres, twice that on spheroids, where however it stays
-  // within the error that the residuals tell. Noise is no reason to call a surface degenerate, unless it is flat.
-  constexpr double error_of_e = 0.4, error_of_A = 1, error_of_Q = 0.1; // on spheres, with a margin
-  constexpr double error_of_revolution = 2.5, standard_errors = 3;
+  // On spheres and planes C is the error of the fit alone, of the order k² (kR)³, R being the radius of the
+  // neighbourhood: up to 0.5 times that. On a surface of revolution an extremality is far less than C changes by when the radius
+  // grows. Noise is no reason to call a surface degenerate, unless it is flat.
+  constexpr double error_of_A = 1, error_of_Q = 0.1, of_change = 0.5, standard_errors = 3;
   constexpr double flat = 0.02, bent = 0.5; // how far the normal turns in a neighbourhood
   const double k = std::abs(s.shape.H) + std::abs(s.shape.Q), kR = std::min(k * quality.radius, bent);
-  const double expected = k * k * kR * kR * kR;
   Tolerance zero = rounding;
   zero.L = std::max({zero.L, error_of_Q * k * kR * kR * kR * kR, kR < flat ? standard_errors * quality.L_error : 0});
-  zero.C = std::max({zero.C, error_of_A * expected, kR < flat ? standard_errors * quality.C_error : 0});
+  zero.C = std::max({zero.C, error_of_A * k * k * kR * kR * kR, kR < flat ? standard_errors * quality.C_error : 0});
   if (state_of(s, zero) == State::umbilic)
     return State::umbilic;
-  const Principal_quantities q = principal_quantities(s.shape);
-  const double e = std::min(std::abs(q.e1), std::abs(q.e2));
-  const bool within_error = std::min(mean.e1, mean.e2) < mean.error && (e < error_of_revolution * expected || kR < flat);
-  return e < std::max(rounding.C, error_of_e * expected) || within_error ? State::canal : State::generic;
+  zero.C = kR < flat ? standard_errors * quality.C_error : rounding.C;
+  if (std::min(mean.e1, mean.e2) < of_change * of_change * mean.change)
+    return State::canal;
+  return state_of(s, zero) == State::generic ? State::generic : State::canal;
 }
 
 /// Third derivatives carry a relative error of some 1e-13 when the function is a formula; 1e-9 is far above

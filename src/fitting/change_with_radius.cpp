@@ -22,15 +22,15 @@ namespace {
 using Complex = std::complex<double>;
 
 /// tells whether an extremality is of the size that errors of the fit have, by the standard error and by the order of
-/// truncation, k² (kR)³ for a radius R.
+/// truncation, k² (kR)² for a radius R.
 bool may_be_degenerate(const Local_shape& s, const Fit_quality& quality) {
-  constexpr double standard_errors = 3, truncations = 2.5, bent = 0.5;
+  constexpr double standard_errors = 3, bent = 0.5;
   if (quality.state != Fit_state::fitted)
     return false;
   const Principal_quantities q = principal_quantities(s);
   const double k = std::max(std::abs(q.k1), std::abs(q.k2)), kR = std::min(k * quality.radius, bent);
   const double e = std::min(std::abs(q.e1), std::abs(q.e2));
-  return e <= standard_errors * quality.C_error && e <= truncations * k * k * kR * kR * kR;
+  return e <= standard_errors * quality.C_error && e <= k * k * kR * kR;
 }
 
 /// the root of the mean square of the differences of A1 and A3.

@@ -27,6 +27,9 @@ struct Fit_quality {
   double residual = 0;      ///< weighted root mean square of the distances to the jet, a length
   double L_error = 0;       ///< standard error of the components of L that the residual implies, in 1/length
   double C_error = 0;       ///< the same of C, in 1/length²
+  /// by how much C changes in a neighbourhood 1.4 times as wide, where an extremality is so small that it may be an error
+  /// of the fit; 0 elsewhere
+  double C_change = 0;
 
   bool known() const { return state == Fit_state::given || state == Fit_state::fitted; }
 };
