@@ -22,11 +22,17 @@ inline std::string decimal(double x) {
   return {text, std::to_chars(text, text + sizeof(text), x).ptr};
 }
 
-/// numbers between blanks.
-template <typename Numbers> std::string words(const Numbers& numbers, int add = 0) {
+inline std::string words(const CGAL::Extremal_mesh_3::Point& p) {
   std::string text;
-  for (const auto x : numbers)
-    text.append(" ").append(decimal(double(x) + add));
+  for (const double x : p)
+    text.append(" ").append(decimal(x));
+  return text;
+}
+
+inline std::string words(const std::vector<std::uint32_t>& corners, std::uint32_t add = 0) {
+  std::string text;
+  for (const std::uint32_t corner : corners)
+    text.append(" ").append(std::to_string(corner + add));
   return text;
 }
 

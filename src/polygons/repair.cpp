@@ -9,17 +9,21 @@
 #include "weld.h"
 
 #include <algorithm>
-#include <numeric>
+#include <optional>
+#include <set>
 #include <stdexcept>
 #include <unordered_map>
+#include <utility>
 
 namespace CGAL::Extremal_mesh_3 {
 
 namespace {
 
-bool has_repetition(Polygon polygon) {
-  std::sort(polygon.begin(), polygon.end());
-  return std::adjacent_find(polygon.begin(), polygon.end()) != polygon.end();
+/// \param scratch  is overwritten; to be used again saves a lot of time
+bool has_repetition(const Polygon& polygon, Polygon& scratch) {
+  scratch = polygon;
+  std::sort(scratch.begin(), scratch.end());
+  return std::adjacent_find(scratch.begin(), scratch.end()) != scratch.end();
 }
 
 /// divides a closed walk into loops that meet no point twice. Those of one or two points are left out.
@@ -46,9 +50,11 @@ void append_loops(const Polygon& walk, std::vector<Polygon>& loops) {
 /// \return how many polygons were left out or divided
 std::size_t make_simple(std::vector<Polygon>& polygons) {
   std::vector<Polygon> simple;
+  simple.reserve(polygons.size());
+  Polygon scratch;
   std::size_t count = 0;
   for (Polygon& polygon : polygons)
-    if (polygon.size() >= 3 && !has_repetition(polygon))
+    if (polygon.size() >= 3 && !has_repetition(polygon, scratch))
       simple.push_back(std::move(polygon));
     else {
       append_loops(polygon, simple);
@@ -66,17 +72,32 @@ Polygon canonical(Polygon polygon) {
   return polygon;
 }
 
+/// a number that is the same for polygons with the same corners in any order.
+std::uint64_t hash(const Polygon& polygon) {
+  std::uint64_t sum = 0;
+  for (const std::uint32_t corner : polygon) {
+    std::uint64_t x = (corner + 1) * 0x9e3779b97f4a7c15U; // Steele et al. 2014, SplitMix
+    x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
+    sum += x ^ (x >> 27U);
+  }
+  return sum;
+}
+
 /// \return how many polygons were left out
 std::size_t drop_duplicates(std::vector<Polygon>& polygons) {
-  std::vector<Polygon> keys;
-  for (const Polygon& polygon : polygons)
-    keys.push_back(canonical(polygon));
-  std::vector<std::size_t> order(polygons.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
-  for (std::size_t i = 1; i < order.size(); ++i)
-    if (keys[order[i]] == keys[order[i - 1]])
-      polygons[order[i]].clear();
+  std::vector<std::pair<std::uint64_t, std::size_t>> order;
+  for (std::size_t i = 0; i < polygons.size(); ++i)
+    order.emplace_back(hash(polygons[i]), i);
+  std::sort(order.begin(), order.end());
+  for (auto begin = order.begin(), end = begin; begin != order.end(); begin = end) {
+    end = std::find_if(begin, order.end(), [&](const auto& entry) { return entry.first != begin->first; });
+    if (end - begin == 1) // almost always
+      continue;
+    std::set<Polygon> met;
+    for (auto entry = begin; entry != end; ++entry)
+      if (Polygon& polygon = polygons[entry->second]; !met.insert(canonical(polygon)).second)
+        polygon.clear();
+  }
   return std::erase_if(polygons, [](const Polygon& polygon) { return polygon.empty(); });
 }
 
@@ -88,6 +109,15 @@ Cell_complex cells_of(const Polygon_soup& soup) {
     begin.push_back(corners.size());
   }
   return make_cell_complex(soup.points, begin, corners);
+}
+
+/// the cells, if the polygons are an oriented manifold already, as they mostly are.
+std::optional<Cell_complex> cells_if_manifold(const Polygon_soup& soup) {
+  try {
+    return cells_of(soup);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
 }
 
 /// What tells how a component of the surface should be oriented.
@@ -155,11 +185,15 @@ Mesh repair(Polygon_soup soup, double weld_tolerance) {
   repairs.duplicate_faces = drop_duplicates(soup.polygons);
   repairs.isolated_vertices += drop_isolated_points(soup);
 
-  Orientation_counts orientation = orient(soup);
+  std::optional<Cell_complex> cells = cells_if_manifold(soup);
+  Orientation_counts orientation;
+  orientation.turned.resize(soup.polygons.size());
+  if (!cells)
+    orientation = orient(soup);
   repairs.non_manifold_edges = orientation.non_manifold_edges;
   repairs.non_manifold_vertices = orientation.non_manifold_vertices;
   repairs.flat_faces = merge_flat_faces(soup, orientation.turned);
-  mesh.cells = cells_of(soup);
+  mesh.cells = cells && repairs.flat_faces == 0 ? std::move(*cells) : cells_of(soup);
   if (turn_components(soup, mesh.cells, orientation.turned))
     mesh.cells = cells_of(soup);
   repairs.turned_faces = std::size_t(std::count(orientation.turned.begin(), orientation.turned.end(), true));
