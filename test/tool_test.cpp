@@ -93,6 +93,49 @@ TEST_F(Tool, extracts_the_mesh_of_an_ellipsoid) { // MATHEMATICS 4: V, E, F = 10
     EXPECT_TRUE(read_text(folder.file(file)).starts_with("OFF\n")) << file;
 }
 
+TEST_F(Tool, extracts_the_mesh_of_an_ellipsoid_by_cgals_mesher) {
+  const Outcome outcome = run(ellipsoid + "--mesher cgal -o out.graphml");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "8 with 4 edges")) << outcome.out;
+  EXPECT_TRUE(contains(read_graphml(folder.file("out.graphml")).surface().parameters, "\"mesher\":\"cgal\""));
+  EXPECT_TRUE(contains(refusal(ellipsoid + "--mesher marching", 2), "--mesher grid or cgal"));
+}
+
+// Of the ellipsoid x² + 2y² + 4z² = 1: 6 vertices of the axes and 4 umbilics, joined by 16 lines.
+TEST_F(Tool, extracts_the_mesh_of_a_polygon_mesh) {
+  const std::string file = EXTREMAL_MESH_3_DATA_DIR "/ellipsoid_exact_poly.off";
+  const Outcome outcome =
+      run("extract " + file + " -o out.graphml -o out.png --surface surface.off --report report.json");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  for (const std::string line :
+       {"fitted        3108  surface points with radius 0.", "vertices        10  6 extremal_point, 4 umbilic\n",
+        "edges           16  ", "cells            8  8 with 4 edges\n", "all hold\n"})
+    EXPECT_TRUE(contains(outcome.out, line)) << outcome.out;
+  EXPECT_FALSE(contains(outcome.out, "repaired"));
+  EXPECT_TRUE(contains(read_graphml(folder.file("out.graphml")).surface().parameters, "\"radii_used\":["));
+  const std::string report = read_text(folder.file("report.json"));
+  for (const std::string part :
+       {"\"repairs\": {", "\"turned_faces\": 0", "\"fit\": {", "\"fitted\": 3108", "\"not_fitted\": 0"})
+    EXPECT_TRUE(contains(report, part)) << part;
+  EXPECT_TRUE(read_text(folder.file("surface.off")).starts_with("OFF\n3108 1556 "));
+}
+
+TEST_F(Tool, tells_what_was_repaired_and_takes_the_options_of_meshes) {
+  const std::string command = "extract " EXTREMAL_MESH_3_DATA_DIR "/ellipe0.003.off --report report.json ";
+  Outcome outcome = run(command + "--radius 0.4 --weld 1e-5 -o out.graphml");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(
+      outcome.out.starts_with("repaired: 3108 faces turned\nfitted        1556  surface points with radius 0.4 "))
+      << outcome.out;
+  EXPECT_TRUE(contains(read_text(folder.file("report.json")), "\"turned_faces\": 3108"));
+  const std::string parameters = read_graphml(folder.file("out.graphml")).surface().parameters;
+  EXPECT_TRUE(contains(parameters, "\"weld\":1e-05,\"radius\":0.4,")) << parameters;
+  outcome = run(command + "--rings 4 --quiet -o out.graphml");
+  EXPECT_EQ(outcome.out + outcome.err, "");
+  EXPECT_TRUE(contains(read_graphml(folder.file("out.graphml")).surface().parameters, "\"rings\":4"));
+}
+
 TEST_F(Tool, gives_the_same_bytes_every_time) {
   EXPECT_EQ(run(ellipsoid + "-o a.graphml --threads 1").code, 0);
   EXPECT_EQ(run(ellipsoid + "-o b.graphml").code, 0);
@@ -165,6 +208,10 @@ TEST_F(Tool, wrong_command_lines_exit_with_2) {
   refusal("extract --formula x --box 0 0 0 1 1 1 --iso 3", 2);
   refusal("extract a.nrrd -o out.graphml", 2);
   refusal("extract a.nrrd --iso 3 --resolution 8", 2);
+  refusal("extract a.nrrd --iso 3 --mesher cgal", 2);
+  refusal("extract a.nrrd --iso 3 --radius 1", 2);
+  refusal(ellipsoid + "--rings 3", 2);
+  refusal(ellipsoid + "--weld 3", 2);
   refusal(ellipsoid + "--threads -1", 2);
   refusal(ellipsoid + "--max-level -1", 2);
   refusal(ellipsoid + "--max-level 1000", 2);
@@ -237,6 +284,19 @@ TEST_F(Tool, bad_images_exit_with_1) {
   refusal("extract ball.nrrd --iso nan -o out.graphml", 2);
   refusal("extract ball.nrrd --iso 50 --sigma -1 -o out.graphml", 2);
   refusal("extract ball.nrrd --iso 50 --sigma 0.01 -o out.graphml", 2);
+}
+
+TEST_F(Tool, bad_meshes_exit_with_1_and_wrong_options_for_them_with_2) {
+  EXPECT_TRUE(contains(refusal("extract nothing.off -o out.graphml", 1), "nothing.off"));
+  write_text(folder.file("a.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n");
+  EXPECT_TRUE(
+      contains(refusal("extract a.off -o out.graphml", 1), "line 6: expected the index of a vertex from 0 to 2"));
+  write_text(folder.file("a.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  refusal("extract a.off -o out.graphml", 1); // too little to fit anything
+  for (const std::string options : {"--iso 3", "--sigma 1", "--resolution 8", "--box 0 0 0 1 1 1", "--mesher cgal",
+                                    "--radius 1 --rings 2", "--radius 0", "--radius -1", "--radius nan", "--radius inf",
+                                    "--rings 0", "--rings -1", "--rings 99999", "--rings 1.5", "--weld -1", "--weld 1"})
+    refusal("extract a.off -o out.graphml " + options, 2);
 }
 
 TEST_F(Tool, bad_graphs_exit_with_1) {

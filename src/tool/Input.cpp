@@ -57,6 +57,8 @@ Input formula_input(const Extract_options& options) {
   if (options.iso || options.sigma)
     throw Usage_error("--iso and --sigma are for images; subtract the value in the formula instead");
   refuse_mesh_options(options);
+  if (options.mesher && *options.mesher != "grid" && *options.mesher != "cgal")
+    throw Usage_error(fmt::format("'{}' is not a mesher; give --mesher grid or cgal", *options.mesher));
   const std::int64_t resolution = options.resolution.value_or(default_resolution);
   Input input;
   input.max_level = function_level;
@@ -68,12 +70,16 @@ Input formula_input(const Extract_options& options) {
   }
   input.source = *options.formula;
   input.parameters = {{"formula", *options.formula}, {"box", *options.box}, {"resolution", resolution}};
+  if (options.mesher)
+    input.parameters["mesher"] = *options.mesher;
+  input.use_cgal_mesher = options.mesher == "cgal";
   return input;
 }
 
 Input image_input(const Extract_options& options) {
-  if (options.box || options.resolution)
-    throw Usage_error("--box and --resolution are for formulas; an image is taken whole, at its own resolution");
+  if (options.box || options.resolution || options.mesher)
+    throw Usage_error(
+        "--box, --resolution and --mesher are for formulas; an image is taken whole, at its own resolution");
   refuse_mesh_options(options);
   if (!options.iso)
     throw Usage_error(
@@ -100,8 +106,10 @@ Input image_input(const Extract_options& options) {
 }
 
 Input mesh_input(const Extract_options& options) {
-  if (options.box || options.resolution || options.iso || options.sigma)
-    throw Usage_error("--box, --resolution, --iso and --sigma are for formulas and images; a mesh is taken as it is");
+  if (options.box || options.resolution || options.mesher || options.iso || options.sigma)
+    throw Usage_error(
+        "--box, --resolution, --mesher, --iso and --sigma are for formulas and images; a mesh is taken as "
+        "it is");
   if (options.radius && options.rings)
     throw Usage_error("there are a radius and a number of rings; give one of --radius and --rings");
   if (options.radius && !(std::isfinite(*options.radius) && *options.radius > 0))

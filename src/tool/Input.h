@@ -21,6 +21,7 @@ namespace CGAL::Extremal_mesh_3::tool {
 struct Input {
   std::unique_ptr<Function_3> function; ///< with the lattice to look for its surface on; null: there is a mesh
   Lattice lattice;
+  bool use_cgal_mesher = false; ///< for cells of that surface
   Mesh mesh;
   int max_level = 0;                 ///< unless told otherwise
   std::optional<int> max_line_level; ///< unless told otherwise; none: the same

@@ -29,6 +29,7 @@ struct Extract_options {
   std::optional<std::string> formula;
   std::optional<std::array<double, 6>> box;
   std::optional<std::int64_t> resolution;
+  std::optional<std::string> mesher;
   std::optional<double> iso, sigma;
   std::optional<double> radius, weld;
   std::optional<int> rings;

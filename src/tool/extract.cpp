@@ -6,6 +6,8 @@
 #include "commands.h"
 #include "summary_text.h"
 
+#include <CGAL/Extremal_mesh_3/make_cgal_cells.h>
+
 #include <fmt/format.h>
 
 #include <utility>
@@ -14,12 +16,22 @@ namespace CGAL::Extremal_mesh_3::tool {
 
 namespace {
 
+/// cells of the surface f = 0.
+Cell_complex cells_of(const Input& input, const Extraction_options& options) {
+  if (!input.use_cgal_mesher)
+    return make_implicit_cells(*input.function, input.lattice, options);
+  Cgal_mesh_options mesh_options;
+  mesh_options.threads = options.threads;
+  mesh_options.progress = options.progress;
+  return make_cgal_cells(*input.function, input.lattice, mesh_options);
+}
+
 /// the cells of the surface f = 0, then its extremal mesh.
 void extract_from_function(const Input& input, Extraction_options options, bool quiet, Result& result) {
   {
     Progress_bar bar("surface", quiet);
     options.progress = bar.progress();
-    result.surface = make_implicit_cells(*input.function, input.lattice, options);
+    result.surface = cells_of(input, options);
   }
   Progress_bar bar("lines", quiet);
   options.progress = bar.progress();

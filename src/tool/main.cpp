@@ -48,6 +48,8 @@ void add_extract(CLI::App& app, tool::Extract_options& options, std::function<in
   option("--formula", options.formula, "TEXT", "a function of x, y and z, negative inside");
   option("--box", options.box, "X0 Y0 Z0 X1 Y1 Z1", "formulas: where to look for the surface");
   option("--resolution", options.resolution, "N", "formulas: cubes across the longest side of the box (64)");
+  option("--mesher", options.mesher, "grid|cgal",
+         "formulas: polygons in the cubes, or triangles about as large by CGAL's mesher (grid)");
   option("--iso", options.iso, "VALUE", "images: the value on the surface");
   option("--sigma", options.sigma, "MM", "images: width of the Gaussian (the largest side of a voxel)");
   option("--radius", options.radius, "R",
