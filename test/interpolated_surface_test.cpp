@@ -81,6 +81,25 @@ TEST(Interpolated_surface, has_the_mesh_of_the_ellipsoid_from_162_vertices_on) {
   }
 }
 
+TEST(Interpolated_surface, resolves_the_tip_of_a_long_ellipsoid_with_162_vertices) {
+  // Along an edge at the tips of 3 : 2 : 1 curvature doubles. With L and C linear in between, 2562 vertices gave ten
+  // extremal points.
+  const Polygons mesh = meshes::on_ellipsoid(meshes::icosphere(2), 3, 2, 1);
+  const Extraction extraction = extract(mesh, Formula("x^2/9+y^2/4+z^2-1"));
+  surfaces::expect_all_checks_hold(extraction.mesh);
+  EXPECT_EQ(surfaces::counts_of(extraction.mesh), truth);
+}
+
+TEST(Interpolated_surface, has_umbilics_as_near_to_the_truth_as_its_edges_are_to_the_surface) {
+  for (int levels = 2; levels <= 5; ++levels) {
+    const Polygons mesh = ellipsoid_mesh(levels);
+    const auto found = positions(extract(mesh, ellipsoid).mesh, Vertex_kind::umbilic);
+    // An edge of length h is up to k h²/8 away from the surface, and k ≤ 4; edges differ in length by a factor of 2.
+    const double edge = meshes::mean_edge_length(mesh);
+    EXPECT_LT(largest_distance(found, umbilics()).value_or(1), 2 * edge * edge) << levels;
+  }
+}
+
 TEST(Interpolated_surface, takes_cells_of_any_number_of_sides) {
   const Polygons mesh = joined(ellipsoid_mesh(4));
   std::set<std::size_t> sides;
@@ -128,11 +147,10 @@ TEST(Interpolated_surface, takes_differences_of_C_where_the_fourth_order_is_not_
   const Extremal_mesh exact = extract_extremal_mesh(mesh.cells(), shapes).mesh;
   shapes.fourth.clear();
   const Extremal_mesh differences = extract_extremal_mesh(mesh.cells(), shapes).mesh;
+  EXPECT_TRUE(graph_comparison::isomorphic(exact, differences));
   ASSERT_EQ(exact.number_of_edges(), differences.number_of_edges());
-  for (std::size_t e = 0; e < exact.number_of_edges(); ++e) {
-    EXPECT_EQ(exact.edge(e).polyline, differences.edge(e).polyline);
+  for (std::size_t e = 0; e < exact.number_of_edges(); ++e)
     EXPECT_EQ(exact.edge(e).type, differences.edge(e).type);
-  }
 }
 
 TEST(Interpolated_surface, lets_lines_end_at_its_border) {

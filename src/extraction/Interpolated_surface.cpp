@@ -99,8 +99,9 @@ std::vector<Sample> Interpolated_surface::samples(const Cell_complex& cells, con
   samples.reserve(n);
   for (std::size_t i = 0; i < n; ++i)
     samples.emplace_back(cells.points[i], shapes.shapes[i], true);
-  const std::vector<Fourth_order_form>& fourth =
-      shapes.fourth.empty() ? differences_of_C(cells, samples) : shapes.fourth;
+  // Fourth derivatives of a fit are worth less than the differences between neighbouring fits, which make C smooth.
+  const bool exact = !shapes.fourth.empty() && shapes.quality.empty();
+  const std::vector<Fourth_order_form>& fourth = exact ? shapes.fourth : differences_of_C(cells, samples);
   for (std::size_t i = 0; i < n; ++i)
     samples[i].fourth = fourth[i];
   return samples;

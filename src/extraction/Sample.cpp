@@ -24,6 +24,26 @@ std::optional<Sample> accepted(const Surface& surface, const Point& x, const Vec
   return s;
 }
 
+/// the shape of a sample with half of what its derivatives say that it changes by on the way to p. The mean of shapes
+/// errs to one side where they are not linear, the mean of what is expected at p by as much to the other side; the mean of both is
+/// exact where they are quadratic.
+Local_shape half_way(const Sample& sample, const Point& p) {
+  const Local_shape& s = sample.shape;
+  const Fourth_order_form& D = sample.fourth;
+  const Vector d = p - sample.p;
+  const Complex z(dot(d, s.u) / 2, dot(d, s.v()) / 2), z_bar = std::conj(z);
+  // ∂̄H = ∂Q = A1/3 and ∂̄Q = A3 (Codazzi), ∂ and ∂̄ being the derivatives along z and z̄. C's own derivatives are not
+  // quite symmetric: ∂∂̄Q − ∂̄∂Q = K Q.
+  const Complex KQ = (s.H * s.H - std::norm(s.Q)) * s.Q;
+  const Complex dbar_A1 = 0.75 * (D.D2 - KQ), d_A3 = dbar_A1 / 3.0 + KQ;
+  Local_shape moved = s;
+  moved.H += 2.0 / 3 * (std::conj(s.A1) * z).real();
+  moved.Q += s.A1 / 3.0 * z + s.A3 * z_bar;
+  moved.A1 += D.D0 * z + dbar_A1 * z_bar;
+  moved.A3 += d_A3 * z + D.D4 * z_bar;
+  return moved;
+}
+
 } // namespace
 
 Sample::Sample(const Point& point, const Local_shape& local_shape, bool is_exact)
@@ -58,7 +78,7 @@ Sample interpolate(const Surface& surface, const std::vector<const Sample*>& sam
   mean.shape.n = length > 0 ? (1 / length) * n : samples.front()->shape.n;
   mean.shape.u = any_orthogonal(mean.shape.n);
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Local_shape& s = samples[i]->shape;
+    const Local_shape s = surface.interpolates() ? half_way(*samples[i], mean.p) : samples[i]->shape;
     const Complex z = frame_turn(*samples[i], mean);
     mean.shape.H += weights[i] * s.H;
     mean.shape.Q += weights[i] * s.Q * z * z;

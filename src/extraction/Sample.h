@@ -62,7 +62,8 @@ struct Moved_fields {
 };
 Moved_fields moved_to(const Sample& a, const Sample& b);
 
-/// the weighted mean of samples: L, C and the fourth-order form are interpolated in a common frame.
+/// the weighted mean of samples: L, C and the fourth-order form are interpolated in a common frame. On a surface that
+/// interpolates, L and C are quadratic in between: they follow their derivatives.
 Sample interpolate(const Surface& surface, const std::vector<const Sample*>& samples,
                    const std::vector<double>& weights);
 

@@ -37,7 +37,7 @@ struct Fit_quality {
 /// The shape of a surface at each vertex of its cells.
 struct Vertex_shapes {
   std::vector<Local_shape> shapes;
-  std::vector<Fourth_order_form> fourth; ///< empty: not known; then differences of C stand for it
+  std::vector<Fourth_order_form> fourth; ///< empty: not known. Extraction takes differences of C unless all is exact
   std::vector<Fit_quality> quality;      ///< empty: all given and exact
 };
 
