@@ -73,7 +73,7 @@ void add_extract(CLI::App& app, tool::Extract_options& options, std::function<in
   command->footer("Example:\n  extremal_mesh extract --formula \"x^2/9+y^2/4+z^2-1\" --box -4 -3 -2 4 3 2 "
                   "-o ellipsoid.graphml -o ellipsoid.png\n"
                   "  extremal_mesh extract skull.nii.gz --iso 300 --sigma 1.5 -o skull.graphml --report skull.json\n"
-                  "  extremal_mesh extract femur.off --radius 0.05 -o femur.graphml -o femur.png");
+                  "  extremal_mesh extract femur.off --radius 0.1 -o femur.graphml -o femur.png");
   command->callback([&] { run = [&] { return tool::extract(options); }; });
 }
 

@@ -59,9 +59,11 @@ Json json_of(const Mesh_repairs& r) {
 }
 
 Json json_of(const Fit_report& r) {
-  return {{"sampling", r.sampling},     {"radius_min", r.radius_min}, {"radius_median", r.radius_median},
-          {"radius_max", r.radius_max}, {"noise", r.noise},           {"fitted", r.fitted},
-          {"grown", r.grown},           {"not_fitted", r.not_fitted}};
+  return {{"sampling", r.sampling},     {"multiple", r.multiple},
+          {"radius_min", r.radius_min}, {"radius_median", r.radius_median},
+          {"radius_max", r.radius_max}, {"noise", r.noise},
+          {"fitted", r.fitted},         {"grown", r.grown},
+          {"not_fitted", r.not_fitted}};
 }
 
 std::string fit_text(const Fit_report& r) {
