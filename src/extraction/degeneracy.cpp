@@ -224,7 +224,7 @@ Degeneracy find_degeneracy(const Surface& surface, const Cell_complex& cells, co
 Degeneracy find_degeneracy(const Cell_complex& cells, const std::vector<Sample>& samples,
                            const std::vector<Fit_quality>& quality, Thread_pool& pool) {
   // A narrower strip is no area, however well the shapes are known: it may lie about an extremal line.
-  constexpr double edges = 1.5, radii = 2;
+  constexpr double edges = 1.5, radii = 1;
   const double least_curvature = least_curvature_of(samples);
   std::vector<State> state(samples.size());
   const std::vector<Mean_squares> mean =
