@@ -3,7 +3,7 @@
 #ifndef EXTREMAL_MESH_3_SRC_CGAL_MESH_ORIENTATION_H
 #define EXTREMAL_MESH_3_SRC_CGAL_MESH_ORIENTATION_H
 
-#include "../polygons/Polygon_soup.h"
+#include "../cells/Polygon_soup.h"
 
 #include <cstddef>
 

@@ -16,11 +16,11 @@ namespace {
 std::optional<std::size_t> longest_side_if_flat(const std::vector<Point>& points, const Polygon& polygon) {
   // Coordinates that were computed from others are off by some units in the last place.
   constexpr double rounding = 0x1p-48;
-  const std::size_t n = polygon.size();
+  const auto after = [n = polygon.size()](std::size_t i) { return i + 1 < n ? i + 1 : 0; };
   std::size_t longest = 0;
   double length = 0, size = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point &p = points[polygon[i]], &q = points[polygon[(i + 1) % n]];
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &p = points[polygon[i]], &q = points[polygon[after(i)]];
     if (const double d = distance(p, q); d > length) {
       length = d;
       longest = i;
@@ -30,7 +30,7 @@ std::optional<std::size_t> longest_side_if_flat(const std::vector<Point>& points
   if (length == 0)
     return std::nullopt;
   const Point& origin = points[polygon[longest]];
-  const Vector direction = (1 / length) * (points[polygon[(longest + 1) % n]] - origin);
+  const Vector direction = (1 / length) * (points[polygon[after(longest)]] - origin);
   const bool is_flat = std::all_of(polygon.begin(), polygon.end(), [&](std::uint32_t corner) {
     return norm(cross(direction, points[corner] - origin)) <= rounding * size;
   });

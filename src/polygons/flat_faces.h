@@ -3,7 +3,7 @@
 #ifndef EXTREMAL_MESH_3_SRC_POLYGONS_FLAT_FACES_H
 #define EXTREMAL_MESH_3_SRC_POLYGONS_FLAT_FACES_H
 
-#include "Polygon_soup.h"
+#include "../cells/Polygon_soup.h"
 
 #include <cstddef>
 

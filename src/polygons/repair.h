@@ -3,7 +3,7 @@
 #ifndef EXTREMAL_MESH_3_SRC_POLYGONS_REPAIR_H
 #define EXTREMAL_MESH_3_SRC_POLYGONS_REPAIR_H
 
-#include "Polygon_soup.h"
+#include "../cells/Polygon_soup.h"
 
 #include <CGAL/Extremal_mesh_3/read_mesh.h>
 

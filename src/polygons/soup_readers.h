@@ -8,7 +8,7 @@
 #ifndef EXTREMAL_MESH_3_SRC_POLYGONS_SOUP_READERS_H
 #define EXTREMAL_MESH_3_SRC_POLYGONS_SOUP_READERS_H
 
-#include "Polygon_soup.h"
+#include "../cells/Polygon_soup.h"
 
 #include <string_view>
 

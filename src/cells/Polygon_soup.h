@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef EXTREMAL_MESH_3_SRC_POLYGONS_POLYGON_SOUP_H
-#define EXTREMAL_MESH_3_SRC_POLYGONS_POLYGON_SOUP_H
+#ifndef EXTREMAL_MESH_3_SRC_CELLS_POLYGON_SOUP_H
+#define EXTREMAL_MESH_3_SRC_CELLS_POLYGON_SOUP_H
 
 #include <CGAL/Extremal_mesh_3/types.h>
 
@@ -20,4 +20,4 @@ struct Polygon_soup {
 
 } // namespace CGAL::Extremal_mesh_3
 
-#endif // EXTREMAL_MESH_3_SRC_POLYGONS_POLYGON_SOUP_H
+#endif // EXTREMAL_MESH_3_SRC_CELLS_POLYGON_SOUP_H
