@@ -3,19 +3,13 @@
 #ifndef EXTREMAL_MESH_3_SRC_FITTING_JET_BATCH_H
 #define EXTREMAL_MESH_3_SRC_FITTING_JET_BATCH_H
 
+#include "Jet_sums.h"
+
 #include <array>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL::Extremal_mesh_3 {
-
-constexpr std::size_t jet_degree = 4;
-constexpr std::size_t jet_size = 15; ///< coefficients of a polynomial of degree 4 in x and y
-
-/// where x^a y^b stands in a polynomial: by degree, then by the power of y.
-constexpr std::size_t monomial(std::size_t a, std::size_t b) {
-  return (a + b) * (a + b + 1) / 2 + b;
-}
 
 /// The polynomial of degree 4 that is closest to the heights of some points, and how close.
 struct Jet {
@@ -29,12 +23,10 @@ struct Jet {
   double second_error = 0, third_error = 0;
 };
 
-/// Some neighbourhoods whose jets are computed at once, one in each lane of the processor's vectors. No lane has an influence on
-/// another, so it does not matter how neighbourhoods are put together.
+/// Some neighbourhoods whose jets are computed at once. No lane has an influence on another, so it does not matter how
+/// neighbourhoods are put together.
 class Jet_batch {
 public:
-  static constexpr std::size_t lanes = 8;
-
   std::size_t size() const { return size_; }
   bool full() const { return size_ == lanes; }
   void clear() { size_ = 0; }
@@ -44,18 +36,19 @@ public:
   void begin(std::size_t points);
   /// sets a point of it: coordinates, at most about 1 in size, and a weight.
   void set(std::size_t point, double x, double y, double z, double weight) {
-    double* const p = points_.data() + 4 * lanes * point + (size_ - 1);
-    p[0] = x;
-    p[lanes] = y;
-    p[2 * lanes] = z;
-    p[3 * lanes] = weight;
+    Wide_point& p = points_[point];
+    const std::size_t lane = size_ - 1;
+    p.x[lane] = x;
+    p.y[lane] = y;
+    p.z[lane] = z;
+    p.weight[lane] = weight;
   }
 
   /// fits the jets by least squares.
   std::array<Jet, lanes> fit();
 
 private:
-  std::vector<double> points_; ///< x, y, z, weight; each of all lanes
+  std::vector<Wide_point> points_;
   std::array<std::size_t, lanes> counts_{};
   std::size_t size_ = 0;
 };

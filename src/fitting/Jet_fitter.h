@@ -65,7 +65,7 @@ private:
   double rounding_;
   Surface_walk walk_;
   Jet_batch batch_;
-  std::array<Task, Jet_batch::lanes> tasks_{}; ///< of the lanes of the batch
+  std::array<Task, lanes> tasks_{}; ///< of the lanes of the batch
   std::vector<double> weights_;
   std::size_t grown_ = 0;
 };

@@ -48,12 +48,15 @@ double rounding_of(const std::vector<Point>& points) {
   return std::ldexp(largest, floats ? -24 : -53);
 }
 
+double median(std::vector<double>& values) {
+  if (values.empty())
+    return 0;
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 Fit_report report_on(const Jets& jets, const std::vector<double>& sampling) {
-  // Of values in order, so that their order in the mesh has no influence.
-  const auto median = [](std::vector<double>& values) {
-    std::sort(values.begin(), values.end());
-    return values.empty() ? 0 : values[values.size() / 2];
-  };
   Fit_report report;
   std::vector<double> distances = sampling, radii, residuals;
   for (const Fit_quality& q : jets.shapes.quality)
@@ -64,8 +67,9 @@ Fit_report report_on(const Jets& jets, const std::vector<double>& sampling) {
   report.sampling = median(distances);
   report.radius_median = median(radii);
   if (!radii.empty()) {
-    report.radius_min = radii.front();
-    report.radius_max = radii.back();
+    const auto [least, largest] = std::minmax_element(radii.begin(), radii.end());
+    report.radius_min = *least;
+    report.radius_max = *largest;
   }
   report.noise = median(residuals);
   report.fitted = radii.size();
