@@ -32,11 +32,15 @@ inline Vector any_orthogonal(const Vector& n) {
 }
 
 /// turns w by the smallest rotation that takes the unit vector a to the unit vector b: the parallel transport along the great circle
-/// between two normals.
-/// \pre a ≠ −b
+/// between two normals. Of the half-turns that take a to −a it is always the same one, and so for normals that are opposite up
+/// to rounding.
 inline Vector transport(const Vector& a, const Vector& b, const Vector& w) {
   const Vector axis = cross(a, b); // its length is the sine of the angle
   const double c = dot(a, b);
+  if (1 + c < 1e-9) {
+    const Vector half_turn = any_orthogonal(a);
+    return 2 * dot(half_turn, w) * half_turn - w;
+  }
   return c * w + cross(axis, w) + (dot(axis, w) / (1 + c)) * axis;
 }
 

@@ -119,11 +119,14 @@ void Arrangement::place(Crossing& crossing, std::uint32_t count) const {
     s = at((ordinal + 1) / (count + 1)); // unresolved at the finest level
   } else {
     // Regula falsi in the form of Anderson and Björck, with a bisection where it is slow.
+    // Where samples cannot be moved off a line, crossings keep a little away from them: cells shall have an area.
+    const double margin = complex_.surface().interpolates() ? 1e-6 : 0;
     double low = 0, high = 1, h_low = height(*a), h_high = height(*b);
     for (int i = 0; i < 60 && high - low > 1e-13; ++i) {
       double t = low - h_low * (high - low) / (h_high - h_low);
       if (!(t > low && t < high) || i % 8 == 7)
         t = low + (high - low) / 2;
+      t = std::clamp(t, margin, 1 - margin);
       s = at(t);
       const double h = height(s);
       if (std::abs(h) < 1e-14)
@@ -134,6 +137,8 @@ void Arrangement::place(Crossing& crossing, std::uint32_t count) const {
       kept *= factor > 0 ? factor : 0.5;
       (at_low ? low : high) = t;
       (at_low ? h_low : h_high) = h;
+      if (t == margin || t == 1 - margin)
+        break;
     }
   }
   const Principal_quantities q = principal_quantities(s.shape);

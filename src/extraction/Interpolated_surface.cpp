@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -25,6 +26,31 @@ bool has_frame(const Local_shape& s) {
   constexpr double rounding = 1e-6;
   return std::abs(dot(s.n, s.n) - 1) < rounding && std::abs(dot(s.u, s.u) - 1) < rounding &&
          std::abs(dot(s.u, s.n)) < rounding;
+}
+
+/// the length of the diagonal of the points' box.
+double size_of(const std::vector<Point>& points) {
+  Point low = points[0], high = points[0];
+  for (const Point& p : points)
+    for (std::size_t a = 0; a < 3; ++a) {
+      low[a] = std::min(low[a], p[a]);
+      high[a] = std::max(high[a], p[a]);
+    }
+  return distance(low, high);
+}
+
+/// the shape, with what is 0, or so small that its products vanish, made a little larger: the windings of fields around cells
+/// need angles everywhere. On planes all fits are 0.
+Local_shape never_zero(Local_shape s, double length) {
+  constexpr double small = 1e-14; // of what the size of the surface makes of a curvature
+  const auto raise = [](Complex& x, double least) {
+    if (std::abs(x) < least)
+      x = std::polar(least, 1.0);
+  };
+  raise(s.Q, small / length);
+  raise(s.A1, 3 * small / (length * length));
+  raise(s.A3, small / (length * length));
+  return s;
 }
 
 /// the derivatives of C at the points, by least squares over the differences to their neighbours, made symmetric.
@@ -97,8 +123,9 @@ std::vector<Sample> Interpolated_surface::samples(const Cell_complex& cells, con
   const std::size_t n = cells.points.size();
   std::vector<Sample> samples;
   samples.reserve(n);
+  const double length = size_of(cells.points);
   for (std::size_t i = 0; i < n; ++i)
-    samples.emplace_back(cells.points[i], shapes.shapes[i], true);
+    samples.emplace_back(cells.points[i], never_zero(shapes.shapes[i], length), true);
   // Fourth derivatives of a fit are worth less than the differences between neighbouring fits, which make C smooth.
   const bool exact = !shapes.fourth.empty() && shapes.quality.empty();
   const std::vector<Fourth_order_form>& fourth = exact ? shapes.fourth : differences_of_C(cells, samples);

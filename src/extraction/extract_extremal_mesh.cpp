@@ -118,9 +118,34 @@ struct Shaped_cells {
   Vertex_shapes shapes;
 };
 
-/// takes away the cells with a corner at which the shape is not known; nothing if there are none.
+/// the sums of the area vectors of the cells around each point.
+std::vector<Vector> area_vectors(const Cell_complex& cells) {
+  std::vector<Vector> sums(cells.points.size(), Vector{});
+  for (std::size_t c = 0; c < cells.number_of_cells(); ++c) {
+    const auto corner = [&](std::size_t h) { return cells.source(cells.half_edges[h]); };
+    const std::size_t first = cells.cell_begin[c], end = cells.cell_begin[c + 1];
+    const Point& origin = cells.points[corner(first)];
+    Vector area{};
+    for (std::size_t h = first + 1; h + 1 < end; ++h)
+      area = area + cross(cells.points[corner(h)] - origin, cells.points[corner(h + 1)] - origin);
+    for (std::size_t h = first; h < end; ++h)
+      sums[corner(h)] = sums[corner(h)] + area;
+  }
+  return sums;
+}
+
+/// takes away the cells with a corner at which the shape is not known, or was fitted to something else than the cells around; nothing
+/// if there are none.
 std::optional<Shaped_cells> without_unknown(const Cell_complex& cells, const Vertex_shapes& shapes) {
-  const auto unknown = [&](std::uint32_t v) { return !shapes.quality.empty() && !shapes.quality[v].known(); };
+  if (shapes.quality.empty())
+    return std::nullopt;
+  constexpr double least_cosine = 0.5; // between the normal of a fit and that of the cells
+  const std::vector<Vector> area = area_vectors(cells);
+  const auto unknown = [&](std::uint32_t v) {
+    const Fit_quality& q = shapes.quality[v];
+    return !q.known() ||
+           (q.state == Fit_state::fitted && dot(shapes.shapes[v].n, area[v]) < least_cosine * norm(area[v]));
+  };
   std::vector<char> removed(cells.number_of_cells(), 0);
   for (std::size_t c = 0; c < removed.size(); ++c)
     for (std::size_t h = cells.cell_begin[c]; h < cells.cell_begin[c + 1]; ++h)
@@ -130,7 +155,8 @@ std::optional<Shaped_cells> without_unknown(const Cell_complex& cells, const Ver
     return std::nullopt;
   if (2 * number > removed.size())
     throw Extraction_error(fmt::format("{} of {} cells have corners at which no jet of degree 4 could be fitted: the "
-                                       "mesh has too few vertices, or they lie on a few lines",
+                                       "mesh has too few vertices, they lie on a few lines, or it bends too much "
+                                       "between them",
                                        number, removed.size()));
   Remaining_cells rest = remove_cells(cells, removed);
   return Shaped_cells{

@@ -37,7 +37,7 @@ struct Extraction_report {
   std::size_t uncertain_cells = 0;    ///< cells taken as they were at the finest level
   std::size_t interpolated_points = 0; ///< points that could not be placed on the surface itself
   std::size_t degenerate_cells = 0;   ///< initial cells in which E_g = 0 up to rounding
-  std::size_t unknown_cells = 0;      ///< initial cells with a corner at which no jet could be fitted
+  std::size_t unknown_cells = 0;      ///< initial cells with a corner at which no jet could be fitted, or one that contradicts the cells
   int rounds = 0;                     ///< of subdivision
 };
 
