@@ -29,6 +29,9 @@ struct Exchange {
   bool signs = false;    ///< of the cells, by a mirror
 };
 
+/// What is compared of umbilics, beside their indices.
+enum class Umbilics { all, index_only };
+
 using Simple_graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
 
 /// An extremal mesh as a graph without loops and multiple edges, the nodes of which are its vertices, half-edges, edges
@@ -37,15 +40,15 @@ struct Incidence_graph {
   Simple_graph graph;
   std::vector<std::string> label;
 
-  explicit Incidence_graph(const Extremal_mesh& mesh, const Exchange& exchange = {})
+  explicit Incidence_graph(const Extremal_mesh& mesh, const Exchange& exchange = {}, Umbilics umbilics = Umbilics::all)
       : graph(mesh.number_of_vertices() + 3 * mesh.number_of_edges() + mesh.number_of_cells()) {
     const std::size_t half_edges = mesh.number_of_vertices(), edges = half_edges + 2 * mesh.number_of_edges(),
                       cells = edges + mesh.number_of_edges();
     for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
       const Extremal_mesh_vertex& x = mesh.vertex(v);
-      label.push_back(std::string(to_string(x.kind)) + ' ' + std::string(to_string(x.umbilic_type)) + ' ' +
-                      std::to_string(x.ridges) + ' ' + std::to_string(std::lround(2 * x.umbilic_index)) + ' ' +
-                      std::to_string(x.field_index));
+      const std::string type = umbilics == Umbilics::all ? std::string(to_string(x.umbilic_type)) : "";
+      label.push_back(std::string(to_string(x.kind)) + ' ' + type + ' ' + std::to_string(x.ridges) + ' ' +
+                      std::to_string(std::lround(2 * x.umbilic_index)) + ' ' + std::to_string(x.field_index));
     }
     label.insert(label.end(), 2 * mesh.number_of_edges(), "half-edge");
     for (std::size_t e = 0; e < mesh.number_of_edges(); ++e)
@@ -111,11 +114,12 @@ struct Colour {
 
 /// tells whether there is an isomorphism of vertices, edges and cells that keeps kinds, classes of umbilics, families
 /// and signs (with what is exchanged).
-inline bool isomorphic(const Extremal_mesh& a, const Extremal_mesh& b, const Exchange& exchange = {}) {
+inline bool isomorphic(const Extremal_mesh& a, const Extremal_mesh& b, const Exchange& exchange = {},
+                       Umbilics umbilics = Umbilics::all) {
   if (a.number_of_vertices() != b.number_of_vertices() || a.number_of_edges() != b.number_of_edges() ||
       a.number_of_cells() != b.number_of_cells())
     return false;
-  const Incidence_graph A(a, exchange), B(b);
+  const Incidence_graph A(a, exchange, umbilics), B(b, {}, umbilics);
   const auto [colour_a, colour_b] = refined_colours(A, B);
   auto sorted_a = colour_a, sorted_b = colour_b;
   std::sort(sorted_a.begin(), sorted_a.end());
