@@ -74,20 +74,27 @@ std::vector<Mean_squares> mean_squares(const Cell_complex& cells, const std::vec
   return mean;
 }
 
+/// tells whether the normal hardly turns in the neighbourhood of a fit.
+bool is_flat(const Sample& s, const Fit_quality& quality) {
+  constexpr double flat = 0.02;
+  return (std::abs(s.shape.H) + std::abs(s.shape.Q)) * quality.radius < flat;
+}
+
 /// \param quality  of the fit that gave the sample
 State state_of(const Sample& s, const Tolerance& rounding, const Fit_quality& quality, const Mean_squares& mean) {
   // On spheres and planes C is the error of the fit alone, of the order k² (kR)³, R being the radius of the
   // neighbourhood: up to 0.5 times that. On a surface of revolution an extremality is far less than C changes by when the radius
   // grows. Noise is no reason to call a surface degenerate, unless it is flat.
   constexpr double error_of_A = 1, error_of_Q = 0.1, of_change = 0.5, standard_errors = 3;
-  constexpr double flat = 0.02, bent = 0.5; // how far the normal turns in a neighbourhood
+  constexpr double bent = 0.5; // how far the normal turns in a neighbourhood for that order to hold
+  const bool flat = is_flat(s, quality);
   const double k = std::abs(s.shape.H) + std::abs(s.shape.Q), kR = std::min(k * quality.radius, bent);
   Tolerance zero = rounding;
-  zero.L = std::max({zero.L, error_of_Q * k * kR * kR * kR * kR, kR < flat ? standard_errors * quality.L_error : 0});
-  zero.C = std::max({zero.C, error_of_A * k * k * kR * kR * kR, kR < flat ? standard_errors * quality.C_error : 0});
+  zero.L = std::max({zero.L, error_of_Q * k * kR * kR * kR * kR, flat ? standard_errors * quality.L_error : 0});
+  zero.C = std::max({zero.C, error_of_A * k * k * kR * kR * kR, flat ? standard_errors * quality.C_error : 0});
   if (state_of(s, zero) == State::umbilic)
     return State::umbilic;
-  zero.C = kR < flat ? standard_errors * quality.C_error : rounding.C;
+  zero.C = flat ? standard_errors * quality.C_error : rounding.C;
   if (std::min(mean.e1, mean.e2) < of_change * of_change * mean.change)
     return State::canal;
   return state_of(s, zero) == State::generic ? State::generic : State::canal;
@@ -224,7 +231,7 @@ Degeneracy find_degeneracy(const Surface& surface, const Cell_complex& cells, co
 Degeneracy find_degeneracy(const Cell_complex& cells, const std::vector<Sample>& samples,
                            const std::vector<Fit_quality>& quality, Thread_pool& pool) {
   // A narrower strip is no area, however well the shapes are known: it may lie about an extremal line.
-  constexpr double edges = 1.5, radii = 1;
+  constexpr double edges = 1.5, radii = 2, flat_radii = 1;
   const double least_curvature = least_curvature_of(samples);
   std::vector<State> state(samples.size());
   const std::vector<Mean_squares> mean =
@@ -238,7 +245,7 @@ Degeneracy find_degeneracy(const Cell_complex& cells, const std::vector<Sample>&
     for (const std::uint32_t v : {a, b})
       width[v] = std::max(width[v], edges * distance(cells.points[a], cells.points[b]));
   for (std::size_t v = 0; v < quality.size(); ++v)
-    width[v] = std::max(width[v], radii * quality[v].radius);
+    width[v] = std::max(width[v], (is_flat(samples[v], quality[v]) ? flat_radii : radii) * quality[v].radius);
   open(cells, width, state);
 
   std::vector<State> cell_state(cells.number_of_cells());

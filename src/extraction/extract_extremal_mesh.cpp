@@ -139,7 +139,7 @@ std::vector<Vector> area_vectors(const Cell_complex& cells) {
 std::optional<Shaped_cells> without_unknown(const Cell_complex& cells, const Vertex_shapes& shapes) {
   if (shapes.quality.empty())
     return std::nullopt;
-  constexpr double least_cosine = 0.5; // between the normal of a fit and that of the cells
+  constexpr double least_cosine = 0.2; // between the normal of a fit and that of the cells
   const std::vector<Vector> area = area_vectors(cells);
   const auto unknown = [&](std::uint32_t v) {
     const Fit_quality& q = shapes.quality[v];
