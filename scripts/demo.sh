@@ -2,7 +2,8 @@
 # Copyright (c) 2026 The Extremal_mesh_3 authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing, builds, and extracts the extremal meshes of a skull in a CT and of an ellipsoid.
+# Installs what is missing, builds, and extracts the extremal meshes of a skull in a CT, of an ellipsoid and
+# of a polygon mesh.
 #
 #   scripts/demo.sh [OUTPUT_FOLDER]       the default is ./demo_output
 #
@@ -32,7 +33,8 @@ extract() { # TITLE NAME ARGUMENT…
 
 extract "Ellipsoid with semi-axes 3, 2, 1" ellipsoid --formula "x^2/9 + y^2/4 + z^2 = 1" --box -4 -3 -2 4 3 2
 extract "Skull in a CT (data/skull_2.9.nrrd)" skull data/skull_2.9.nrrd --iso 2.9 --view 0.5 1 -0.2
+extract "Femur, a triangle mesh (data/femur.off)" femur data/femur.off --radius 0.1 --view 0.3 1 -0.2
 
 printf '\nIn %s:\n' "$output"
 ls -l "$output" | awk 'NR > 1 { printf "%12d  %s\n", $5, $9 }'
-printf 'The pictures are %s and %s.\n' "$output/skull.png" "$output/ellipsoid.png"
+printf 'The pictures are %s, %s and %s.\n' "$output/skull.png" "$output/ellipsoid.png" "$output/femur.png"
