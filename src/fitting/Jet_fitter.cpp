@@ -106,7 +106,7 @@ bool Jet_fitter::gather(Task& task) {
     farthest = std::max(farthest, distance2);
     const double t = 1 - distance2 * s2;
     weights_[i] = rings ? 1 : t * t * (x.area * s2);
-    normal = normal + weights_[i] * x.n;
+    normal = normal + (rings ? x.area : weights_[i]) * x.n;
   }
   const double length = norm(normal);
   if (!(length > 0)) // points without area
