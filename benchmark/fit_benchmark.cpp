@@ -261,7 +261,7 @@ void print_radii(double noise) {
     }
     const double n = double(exact.size());
     fmt::print("{:>8} {:8.1f} {:12.2e} {:12.2e} {:14.2e} {:12.2e}\n",
-               multiple == 0 ? fmt::format("({:.1f})", fit.report.multiple) : fmt::format("{:.2f}", multiple),
+               multiple == 0 ? fmt::format("({:.2f})", fit.report.multiple) : fmt::format("{:.2f}", multiple),
                points / n, std::sqrt(L / L2), std::sqrt(C / C2),
                std::sqrt(jump / double(cells.edges.size()) / (C2 / n)), std::sqrt(estimated / C2));
   }

@@ -9,8 +9,9 @@
 // R^1.5 or more. Two radii tell which it is.
 #include "fit_jets.h"
 
+#include "median.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace CGAL::Extremal_mesh_3 {
@@ -33,14 +34,6 @@ constexpr double most_residual = 2;
 // or the radius is more than that of curvature at most vertices. At a turn by 90 degrees a graph ends.
 constexpr double most_bend = 1;
 
-double median(std::vector<double>& values) {
-  if (values.empty())
-    return 0;
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 double multiple_at(int i) {
   return smallest_multiple * std::pow(step, i);
 }
@@ -50,8 +43,7 @@ double multiple_at(int i) {
 /// everywhere. Measured on an icosphere of 10242 vertices on the ellipsoid, where h varies by 2, with noise of 1 % of an edge:
 /// with R in proportion to h, 13 to 27 vertices of lines too many; like this, 2 to 5.
 std::vector<Extent> extents_at(int i, const std::vector<double>& sampling) {
-  std::vector<double> distances = sampling;
-  const double typical = median(distances);
+  const double typical = median(sampling);
   std::vector<Extent> extents;
   extents.reserve(sampling.size());
   for (const double h : sampling) {

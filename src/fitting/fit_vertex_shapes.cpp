@@ -7,6 +7,7 @@
 #include "../differential/vector.h"
 #include "change_with_radius.h"
 #include "fit_jets.h"
+#include "median.h"
 
 #include <fmt/format.h>
 
@@ -48,23 +49,15 @@ double rounding_of(const std::vector<Point>& points) {
   return std::ldexp(largest, floats ? -24 : -53);
 }
 
-double median(std::vector<double>& values) {
-  if (values.empty())
-    return 0;
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 Fit_report report_on(const Jets& jets, const std::vector<double>& sampling) {
   Fit_report report;
-  std::vector<double> distances = sampling, radii, residuals;
+  std::vector<double> radii, residuals;
   for (const Fit_quality& q : jets.shapes.quality)
     if (q.known()) {
       radii.push_back(q.radius);
       residuals.push_back(q.residual);
     }
-  report.sampling = median(distances);
+  report.sampling = median(sampling);
   report.radius_median = median(radii);
   if (!radii.empty()) {
     const auto [least, largest] = std::minmax_element(radii.begin(), radii.end());
@@ -99,6 +92,7 @@ Fit fit_vertex_shapes(const Cell_complex& cells, const Fit_options& options) {
     find_change_with_radius(input, pool, fit.jets.shapes);
     Fit_report report = report_on(fit.jets, input.sampling);
     report.multiple = fit.multiple;
+    progress(1);
     return {std::move(fit.jets.shapes), report};
   }
   const std::vector<Extent> extents(cells.points.size(), {options.radius, options.rings});

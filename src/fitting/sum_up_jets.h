@@ -104,7 +104,7 @@ public:
         pivot -= row[j] * factor_[triangle(i, j)];
       }
       const Wide part = pivot / entry(i, i); // not a number if the diagonal is 0, and all others then
-      sums.least_pivot = part < sums.least_pivot || part != part ? part : sums.least_pivot;
+      sums.least_pivot = (part < sums.least_pivot) | (part != part) ? part : sums.least_pivot;
       inverse_[i] = 1 / pivot;
     }
     for (std::size_t j = 0; j < jet_size; ++j)

@@ -14,8 +14,8 @@ namespace CGAL::Extremal_mesh_3 {
 enum class Fit_state : std::uint8_t {
   given,          ///< by the caller
   fitted,         ///< by a jet of degree 4
-  too_few_points, ///< the component of the surface has too few vertices; there is no shape
-  rank_deficient  ///< its vertices do not determine a jet (they lie on a few lines); there is no shape
+  too_few_points, ///< too few vertices of the same sheet are near; there is no shape
+  rank_deficient  ///< those near do not determine a jet (they lie on a few lines); there is no shape
 };
 
 /// How well a jet fits.
@@ -23,10 +23,12 @@ struct Fit_quality {
   Fit_state state = Fit_state::given;
   std::uint32_t points = 0; ///< in the neighbourhood, the vertex included
   double radius = 0;        ///< of the neighbourhood, a length
-  double condition = 1;     ///< √ of the largest variance inflation of a coefficient; 1 is best
+  double condition = 1;     ///< √ of the largest variance inflation of a coefficient: 4 to 10 are good, 80 on one side
   double residual = 0;      ///< weighted root mean square of the distances to the jet, a length
-  double L_error = 0;       ///< standard error of the components of L that the residual implies, in 1/length
-  double C_error = 0;       ///< the same of C, in 1/length²
+  /// standard error of L(t, t), root mean square over unit tangents t, that the residual implies if it is noise, in 1/length.
+  /// With weights it is too large by 7 %, that of C by 28 %
+  double L_error = 0;
+  double C_error = 0;       ///< the same of C(t, t, t), in 1/length²
   /// by how much C changes in a neighbourhood 1.4 times as wide, where an extremality is so small that it may be an error
   /// of the fit; 0 elsewhere
   double C_change = 0;
