@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What it costs to fit jets at the vertices of a mesh, and how exact they are: ours, with all that is needed around the fit,
-// against CGAL's Monge_via_jet_fitting on the same two rings of neighbours, which are found beforehand. One thread. Then what
-// the radius does on meshes with and without noise, from which the default radius was made.
+// What it costs to fit jets at the vertices of a mesh, and how exact they are: ours, with all that is needed around
+// the fit, against CGAL's Monge_via_jet_fitting on the same two rings of neighbours, which are found beforehand. One
+// thread. Then what the radius does on meshes with and without noise, from which the default radius was made.
 
 #include <CGAL/Extremal_mesh_3/Functor_function.h>
 #include <CGAL/Extremal_mesh_3/fit_vertex_shapes.h>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Our fits of the same points against others': least squares by an orthogonal factorisation, and CGAL's Monge_via_jet_fitting
-// (Cazals and Pouget).
+// Our fits of the same points against others': least squares by an orthogonal factorisation, and CGAL's
+// Monge_via_jet_fitting (Cazals and Pouget).
 #include <CGAL/Extremal_mesh_3/Functor_function.h>
 #include <CGAL/Extremal_mesh_3/fit_vertex_shapes.h>
 

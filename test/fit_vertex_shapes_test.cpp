@@ -114,8 +114,8 @@ TEST(Fitted_jet, of_the_graph_of_a_quartic_is_exact) {
     const Fit fit = fit_vertex_shapes(mesh.cells(), options);
     EXPECT_EQ(fit.report.not_fitted, 0U);
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-      // Rounding of heights, 1e-16, is amplified by at most the square of the condition, which at corners is up to 1e3 with
-      // rings; the n-th derivative has it over R^n, R ≥ 0.2.
+      // Rounding of heights, 1e-16, is amplified by at most the square of the condition, which at corners is up to
+      // 1e3 with rings; the n-th derivative has it over R^n, R ≥ 0.2.
       const Difference d = difference(fit.shapes.shapes[v], exact.shapes[v]);
       EXPECT_LT(d.L, 2e-10) << v;
       EXPECT_LT(d.C, 5e-9) << v;
@@ -128,9 +128,9 @@ TEST(Fitted_jet, of_the_graph_of_a_quartic_is_exact) {
 }
 
 TEST(Fitted_jet, converges_with_the_radius) {
-  // Half the radius, four times as many vertices. The first terms that jets leave out are of degree 5: they change second
-  // derivatives by R^3 or, where neighbourhoods are symmetric, R^4, third derivatives by R². A quarter is allowed for
-  // terms of higher degree and neighbourhoods that have to grow.
+  // Half the radius, four times as many vertices. The first terms that jets leave out are of degree 5: they change
+  // second derivatives by R^3 or, where neighbourhoods are symmetric, R^4, third derivatives by R². A quarter is
+  // allowed for terms of higher degree and neighbourhoods that have to grow.
   Difference last{0, 0};
   for (int levels = 4; levels <= 6; ++levels) {
     const Polygons mesh = ellipsoid_mesh(levels);
@@ -214,8 +214,8 @@ TEST(Fitted_jet, does_not_depend_on_threads) {
 }
 
 TEST(Neighbourhood, of_one_side_of_a_thin_plate_has_nothing_of_the_other) {
-  // z = 0.2 x² + 0.01 above, z = −0.3 y² below, R = 0.3: where the sheets would mix, heights would differ by several times
-  // what the jets leave out.
+  // z = 0.2 x² + 0.01 above, z = −0.3 y² below, R = 0.3: where the sheets would mix, heights would differ by several
+  // times what the jets leave out.
   const auto above = [](double x, double) { return 0.2 * x * x + 0.01; };
   const auto below = [](double, double y) { return -0.3 * y * y; };
   const int n = 40;
@@ -249,7 +249,8 @@ TEST(Neighbourhood, of_one_side_of_a_thin_plate_has_nothing_of_the_other) {
 }
 
 TEST(Neighbourhood, is_connected_within_its_ball) {
-  // A strip that is folded like an S: its first and third layers look the same way, 0.06 apart, and belong to one surface.
+  // A strip that is folded like an S: its first and third layers look the same way, 0.06 apart, and belong to one
+  // surface.
   const double gap = 0.03, length = 2;
   const int n = 100, m = 20;
   Polygons s;
@@ -303,8 +304,8 @@ TEST(Neighbourhood, grows_at_borders) {
         EXPECT_GT(fitted.shapes.quality[v].radius, 1.2 * fitted.report.radius_median);
       }
     }
-  // Third derivatives are off by those of the fifth power, 6 x², times (R/x)²: a hundredth inside, a few tenths at the border,
-  // where neighbourhoods of nearly twice the radius lie on one side.
+  // Third derivatives are off by those of the fifth power, 6 x², times (R/x)²: a hundredth inside, a few tenths at
+  // the border, where neighbourhoods of nearly twice the radius lie on one side.
   EXPECT_LT(inside, 0.1);
   EXPECT_LT(border, 0.7);
 }
@@ -386,8 +387,8 @@ TEST(Flat_mesh, has_no_curvature) {
 }
 
 TEST(Fit_quality, tells_the_errors_that_noise_makes) {
-  // A plane, on which there are no others. Standard errors are meant to be too large by up to 7 % for L, 28 % for C, and
-  // random by a few per cent themselves.
+  // A plane, on which there are no others. Standard errors are meant to be too large by up to 7 % for L, 28 % for C,
+  // and random by a few per cent themselves.
   const double sigma = 1e-3;
   std::mt19937 random(3);
   const auto uniform = [&] { return (double(random()) + 0.5) / 4294967296.0; };

@@ -8,7 +8,8 @@ namespace CGAL::Extremal_mesh_3 {
 
 namespace {
 
-/// turns the pairs that for_each_pair(add) adds into lists without duplicates. It is called twice, to count and to fill.
+/// turns the pairs that for_each_pair(add) adds into lists without duplicates. It is called twice, to count and to
+/// fill.
 template <class For_each_pair> Adjacency collect(std::size_t vertices, const For_each_pair& for_each_pair) {
   Adjacency a;
   a.begin.assign(vertices + 1, 0);

@@ -9,7 +9,8 @@ namespace CGAL::Extremal_mesh_3 {
 
 namespace {
 
-// Of its own variance a coefficient of an even neighbourhood leaves 1e-1 to 1e-3 to the others. Below this, it is rounding.
+// Of its own variance a coefficient of an even neighbourhood leaves 1e-1 to 1e-3 to the others. Below this, it is
+// rounding.
 constexpr double least_pivot = 1e-11;
 
 void sum_up(const Wide_point* points, std::size_t count, Jet_sums& sums) {
@@ -33,8 +34,8 @@ Jet jet_in_lane(const Jet_sums& s, std::size_t l, std::size_t count) {
   if (count == jet_size)
     return jet; // which then meets all points
   jet.noise = jet.residual / std::sqrt(double(count - jet_size) / double(count));
-  // Exact for equal weights. With those that fall to 0 at the radius, the errors are too large: by 7 % and by 28 %, measured
-  // with noise on even and uneven planes of 30 to 700 points.
+  // Exact for equal weights. With those that fall to 0 at the radius, the errors are too large: by 7 % and by 28 %,
+  // measured with noise on even and uneven planes of 30 to 700 points.
   const double unit = s.weight2[l] / s.weight[l];
   jet.second_error = std::sqrt(unit * s.second_variance[l]);
   jet.third_error = std::sqrt(unit * s.third_variance[l]);

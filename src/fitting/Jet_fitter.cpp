@@ -1,12 +1,13 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Weights. They fall to 0 at the radius, so that a jet changes smoothly from vertex to vertex, and are in proportion to the vertex's
-// share of the area, so that the fit is one to the surface and not to its triangulation. Measured on the ellipsoid
-// x² + 2y² + 4z² = 1 as icosphere of 10242 vertices, whose triangles are stretched by up to 2, R = 0.17: without the areas
-// the error of C differs along an edge by 2.4 % of C, with them by 1.7 %. Even triangulations do not mind either way.
-// Frame. The mean normal, with the same weights, tilts less than the normal at the vertex: at R = 0.28 on a mesh of 1556 vertices
-// the error of C is 22 % instead of 27 %, and on noisy meshes there is no question.
+// Weights. They fall to 0 at the radius, so that a jet changes smoothly from vertex to vertex, and are in proportion
+// to the vertex's share of the area, so that the fit is one to the surface and not to its triangulation. Measured on
+// the ellipsoid x² + 2y² + 4z² = 1 as icosphere of 10242 vertices, whose triangles are stretched by up to 2, R =
+// 0.17: without the areas the error of C differs along an edge by 2.4 % of C, with them by 1.7 %. Even triangulations
+// do not mind either way.
+// Frame. The mean normal, with the same weights, tilts less than the normal at the vertex: at R = 0.28 on a mesh of
+// 1556 vertices the error of C is 22 % instead of 27 %, and on noisy meshes there is no question.
 #include "Jet_fitter.h"
 
 #include "../differential/vector.h"
@@ -18,8 +19,8 @@ namespace CGAL::Extremal_mesh_3 {
 
 namespace {
 
-// A jet has 15 coefficients; a few points more tell how well it fits. Two rings around a vertex of six neighbours are 19
-// points, around one of five 16.
+// A jet has 15 coefficients; a few points more tell how well it fits. Two rings around a vertex of six neighbours are
+// 19 points, around one of five 16.
 constexpr std::size_t least_points_in_ball = 20, least_points_in_rings = 16;
 
 /// How badly a jet may be determined.
@@ -28,9 +29,10 @@ struct Limits {
   double gain;      ///< of C by noise: Jet::third_error, as it would be without growth
   int growths;
 };
-// Discs have conditions of 4 to 10, half discs 80, quarters 90, sectors of 30 degrees 250. Above 100 the field of shapes is
-// rough if not wrong in places. Even discs of 27 points have a gain of 24; narrow stripes, whose condition is as good as that of discs,
-// have much more. The gain falls with the fourth power of the radius: from 24 to 200 for half a disc costs a growth by 1.4.
+// Discs have conditions of 4 to 10, half discs 80, quarters 90, sectors of 30 degrees 250. Above 100 the field of
+// shapes is rough if not wrong in places. Even discs of 27 points have a gain of 24; narrow stripes, whose condition
+// is as good as that of discs, have much more. The gain falls with the fourth power of the radius: from 24 to 200 for
+// half a disc costs a growth by 1.4.
 constexpr Limits good{150, 200, 0}, // by all means
     tolerable{1000, 2000, 8};       // if twice the radius did not help
 constexpr double growth = 1.1;      // small steps, again for smoothness

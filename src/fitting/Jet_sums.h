@@ -15,11 +15,12 @@ constexpr std::size_t monomial(std::size_t a, std::size_t b) {
   return (a + b) * (a + b + 1) / 2 + b;
 }
 
-/// Neighbourhoods whose jets are computed at once, one in each lane of the processor's vectors.
+/// Neighbourhoods whose jets are computed at once, one in each lane of the processor's vectors. As many as a register
+/// of AVX2 holds: with 8, which take two, compilers moved all through memory, and a jet took three times as long.
 constexpr std::size_t lanes = 4;
 
-/// A number in each lane, in GCC's and Clang's own type: it compiles for any processor, and always to the same operations in
-/// the same order. Plain loops over the lanes were left with numbers moved one by one, three times slower.
+/// A number in each lane, in GCC's and Clang's own type: it compiles for any processor, and always to the same
+/// operations in the same order. Plain loops over the lanes were as slow.
 using Wide = double __attribute__((vector_size(8 * lanes)));
 
 /// A point of each neighbourhood. How a `Wide` is aligned depends on the processor that is compiled for.
@@ -37,8 +38,8 @@ struct alignas(8 * lanes) Jet_sums {
   Wide square;                          ///< weighted sum of the squares of the residuals
 };
 
-/// The same function, compiled for any processor and for those with AVX2. The results are equal to the last bit: there is no
-/// fused multiplication and addition in either.
+/// The same function, compiled for any processor and for those with AVX2. The results are equal to the last bit:
+/// there is no fused multiplication and addition in either.
 void sum_up_anywhere(const Wide_point* points, std::size_t count, Jet_sums& sums);
 void sum_up_with_avx2(const Wide_point* points, std::size_t count, Jet_sums& sums);
 

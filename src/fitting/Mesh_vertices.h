@@ -18,13 +18,14 @@ struct alignas(64) Mesh_vertex {
   double area = 0; ///< its share of the area of the cells around it
 };
 
-/// the vertices with their normals: those given, or else the sums of the normals at the corners of the cells, weighted by
-/// angle, which does not depend on how a flat area is divided. Where there is none, the neighbours' stand in.
+/// the vertices with their normals: those given, or else the sums of the normals at the corners of the cells,
+/// weighted by angle, which does not depend on how a flat area is divided. Where there is none, the neighbours' stand
+/// in.
 std::vector<Mesh_vertex> mesh_vertices(const Cell_complex& cells, const Adjacency& adjacency,
                                        const std::vector<Vector>& given_normals);
 
-/// the distance between neighbouring vertices that an even triangulation with as many vertices would have around each vertex,
-/// averaged over the surface so that it changes slowly.
+/// the distance between neighbouring vertices that an even triangulation with as many vertices would have around each
+/// vertex, averaged over the surface so that it changes slowly.
 std::vector<double> sampling_distances(const std::vector<Mesh_vertex>& vertices, const Adjacency& adjacency);
 
 } // namespace CGAL::Extremal_mesh_3

@@ -12,8 +12,8 @@ namespace CGAL::Extremal_mesh_3 {
 /// Finds the vertices that are reached from one over the surface. One object serves one thread.
 class Surface_walk {
 public:
-  /// normals of one sheet of the surface are less than this apart: 101 degrees, so that both sides of a square edge belong
-  /// to the neighbourhoods of vertices at it, and a crest line comes to lie there
+  /// normals of one sheet of the surface are less than this apart: 101 degrees, so that both sides of a square edge
+  /// belong to the neighbourhoods of vertices at it, and a crest line comes to lie there
   static constexpr double least_cosine = -0.2;
 
   Surface_walk(const std::vector<Mesh_vertex>& vertices, const Adjacency& adjacency)

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// On a surface of revolution one extremality is 0. Fitted, it is an error; but the standard error that residuals imply says
-// little of that: they are mostly truncation, which is no noise. What C changes by when the radius grows measures truncation.
-// Measured with a factor of 1.4, |e| against the change, medians: tori 0.1 to 0.25, spheroids 0.04 to 0.1; a torus bent a
-// little 1.4 to 6, ellipsoids 1 to 70; noise 0.7 to 2.
+// On a surface of revolution one extremality is 0. Fitted, it is an error; but the standard error that residuals
+// imply says little of that: they are mostly truncation, which is no noise. What C changes by when the radius grows
+// measures truncation. Measured with a factor of 1.4, |e| against the change, medians: tori 0.1 to 0.25, spheroids
+// 0.04 to 0.1; a torus bent a little 1.4 to 6, ellipsoids 1 to 70; noise 0.7 to 2.
 #include "change_with_radius.h"
 
 #include "../differential/vector.h"

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a radius R does, measured on the ellipsoid x² + 2y² + 4z² = 1 (benchmark/fit_benchmark.cpp prints a table). The error of
-// C has two parts. Truncation: the surface is not its jet; in proportion to R², but smooth over the surface, so it moves lines
-// a little and makes none. Noise: in proportion to R^−4, different at every vertex, so it makes lines where there are none.
-// So R is as small as the noise allows, and the noise has to be known. Residuals are both, too: those of noise are nearly the same
-// for any R, those of truncation grow with R^5 on smooth surfaces, and details of all sizes, on scanned objects, make them grow with
-// R^1.5 or more. Two radii tell which it is.
+// What a radius R does, measured on the ellipsoid x² + 2y² + 4z² = 1 (benchmark/fit_benchmark.cpp prints a table).
+// The error of C has two parts. Truncation: the surface is not its jet; in proportion to R², but smooth over the
+// surface, so it moves lines a little and makes none. Noise: in proportion to R^−4, different at every vertex, so it
+// makes lines where there are none. So R is as small as the noise allows, and the noise has to be known. Residuals
+// are both, too: those of noise are nearly the same for any R, those of truncation grow with R^5 on smooth surfaces,
+// and details of all sizes, on scanned objects, make them grow with R^1.5 or more. Two radii tell which it is.
 #include "fit_jets.h"
 
 #include "median.h"
@@ -18,16 +18,18 @@ namespace CGAL::Extremal_mesh_3 {
 
 namespace {
 
-// 27 points for an even triangulation. With less than 2.5 many neighbourhoods have to grow; the larger, the more truncation.
+// 27 points for an even triangulation. With less than 2.5 many neighbourhoods have to grow; the larger, the more
+// truncation.
 constexpr double smallest_multiple = 2.75;
 constexpr double step = 1.25;
 constexpr int steps = 8; // up to 16.4, with 980 points
-// Of C. With twice as much there are several times as many extremal points as the ellipsoid has, with half as much none too many.
+// Of C. With twice as much there are several times as many extremal points as the ellipsoid has, with half as much
+// none too many.
 constexpr double most_noise = 0.025;
 // Where C is 0, as on spheres: the part of the curvatures by which noise in C changes them within a neighbourhood.
 constexpr double most_noise_of_curvature = 1e-4;
-// From the first radius to the second, by the powers of the radius with which they grow at least; noise because residuals
-// are less than they should be for so few points.
+// From the first radius to the second, by the powers of the radius with which they grow at least; noise because
+// residuals are less than they should be for so few points.
 const double growth_of_detail = std::pow(step, 1.5), growth_of_noise = std::pow(step, 0.3);
 // The surface bends more than jets can follow where residuals are above this multiple of the noise,
 constexpr double most_residual = 2;
@@ -38,10 +40,11 @@ double multiple_at(int i) {
   return smallest_multiple * std::pow(step, i);
 }
 
-/// the neighbourhoods of the i-th multiple. The first two, for exact meshes, are as small as each vertex allows. Where noise decides,
-/// R varies with the fourth root of the distance h of neighbours: noise in C is in proportion to h/R⁴, so it becomes the same
-/// everywhere. Measured on an icosphere of 10242 vertices on the ellipsoid, where h varies by 2, with noise of 1 % of an edge:
-/// with R in proportion to h, 13 to 27 vertices of lines too many; like this, 2 to 5.
+/// the neighbourhoods of the i-th multiple. The first two, for exact meshes, are as small as each vertex allows.
+/// Where noise decides, R varies with the fourth root of the distance h of neighbours: noise in C is in proportion to
+/// h/R⁴, so it becomes the same everywhere. Measured on an icosphere of 10242 vertices on the ellipsoid, where h
+/// varies by 2, with noise of 1 % of an edge: with R in proportion to h, 13 to 27 vertices of lines too many; like
+/// this, 2 to 5.
 std::vector<Extent> extents_at(int i, const std::vector<double>& sampling) {
   const double typical = median(sampling);
   std::vector<Extent> extents;

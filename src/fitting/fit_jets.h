@@ -37,8 +37,8 @@ struct Default_fit {
   double multiple = 0; ///< of the distance of neighbours: the radius
 };
 
-/// fits jets in neighbourhoods whose radius is the smallest multiple of the distance of neighbours for which the noise in C
-/// is a small part of C.
+/// fits jets in neighbourhoods whose radius is the smallest multiple of the distance of neighbours for which the
+/// noise in C is a small part of C.
 Default_fit fit_jets_with_default_radius(const Fit_input& input, Thread_pool& pool,
                                          const std::function<void(double)>& progress);
 

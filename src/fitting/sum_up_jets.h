@@ -1,23 +1,24 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Least squares by normal equations. The entries of the matrix are moments Σ w x^a y^b, of which there are 45: far fewer
-// operations than an orthogonal factorisation. What is lost in accuracy does not matter here: with coordinates below 1 and
-// the diagonal scaled to 1 the condition of the matrix is about 1e4 to 1e6.
+// Least squares by normal equations. The entries of the matrix are moments Σ w x^a y^b, of which there are 45: far
+// fewer operations than an orthogonal factorisation. What is lost in accuracy does not matter here: with coordinates
+// below 1 and the diagonal scaled to 1 the condition of the matrix is about 1e4 to 1e6.
 //
-// Included where it is compiled for one kind of processor. All of it is local to there, and calls nothing of the standard
-// library: a function that the linker takes for another file's may have instructions which the machine does not have.
+// Included where it is compiled for one kind of processor. All of it is local to there, and calls nothing of the
+// standard library: a function that the linker takes for another file's may have instructions which the machine does
+// not have.
 #include "Jet_sums.h"
 
 namespace CGAL::Extremal_mesh_3 {
 
 namespace {
 
-constexpr std::size_t moments = monomial(0, 2 * jet_degree) + 1;
+inline constexpr std::size_t moments = monomial(0, 2 * jet_degree) + 1;
 constexpr std::size_t triangle(std::size_t i, std::size_t j) {
   return i * (i + 1) / 2 + j;
 } // j ≤ i
-constexpr std::size_t triangle_size = triangle(jet_size, 0);
+inline constexpr std::size_t triangle_size = triangle(jet_size, 0);
 
 /// the power of y in the monomial i, and its degree.
 constexpr std::size_t degree(std::size_t i) {
@@ -41,7 +42,7 @@ struct Entries {
       }
   }
 };
-constexpr Entries entries;
+inline constexpr Entries entries;
 
 #define INLINED inline __attribute__((always_inline))
 
@@ -104,7 +105,7 @@ public:
         pivot -= row[j] * factor_[triangle(i, j)];
       }
       const Wide part = pivot / entry(i, i); // not a number if the diagonal is 0, and all others then
-      sums.least_pivot = (part < sums.least_pivot) | (part != part) ? part : sums.least_pivot;
+      sums.least_pivot = ((part < sums.least_pivot) | (part != part)) ? part : sums.least_pivot;
       inverse_[i] = 1 / pivot;
     }
     for (std::size_t j = 0; j < jet_size; ++j)
@@ -136,8 +137,9 @@ public:
       inflation *= entry(i, i);
       sums.inflation = inflation > sums.inflation ? inflation : sums.inflation;
     }
-    // The means over θ of the squares of D(t, t) and D(t, t, t), with t = (cos θ, sin θ) and D the derivatives, 2 and 6 times the
-    // coefficients times powers of cos θ and sin θ. The means of the products of these are 3/8 and 1/8, 5/16 and 1/16.
+    // The means over θ of the squares of D(t, t) and D(t, t, t), with t = (cos θ, sin θ) and D the derivatives, 2 and
+    // 6 times the coefficients times powers of cos θ and sin θ. The means of the products of these are 3/8 and 1/8,
+    // 5/16 and 1/16.
     constexpr Term second[]{{3, 3, 1.5}, {5, 5, 1.5}, {4, 4, 0.5}, {3, 5, 1}};
     constexpr Term third[]{{6, 6, 11.25}, {9, 9, 11.25}, {7, 7, 2.25}, {8, 8, 2.25}, {6, 8, 4.5}, {7, 9, 4.5}};
     sums.second_variance = sums.third_variance = Wide{};

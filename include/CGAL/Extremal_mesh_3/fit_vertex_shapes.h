@@ -38,16 +38,17 @@ struct Fit {
   Fit_report report;
 };
 
-/// fits a jet of degree 4 (Cazals and Pouget) at each vertex of a mesh: weighted least squares over the vertices that are
-/// reached over the surface within the radius. Neighbourhoods with too few vertices, or with vertices on one side only, grow
-/// until the fit is sound. Moving the mesh, or numbering it otherwise, changes nothing but rounding.
+/// fits a jet of degree 4 (Cazals and Pouget) at each vertex of a mesh: weighted least squares over the vertices that
+/// are reached over the surface within the radius. Neighbourhoods with too few vertices, or with vertices on one side
+/// only, grow until the fit is sound. Moving the mesh, or numbering it otherwise, changes nothing but rounding.
 ///
-/// The error of C is in proportion to R² on exact meshes, R being the radius, but smooth over the surface; that by noise is
-/// in proportion to R⁻⁴. So the default is the smallest radius that makes the noise small: 2.75 times the local distance h of
-/// neighbours if residuals show no noise, or if they grow with R as only details of the surface do; else up to 16.4 times the
-/// typical h, nearly the same everywhere, until noise is 2.5 % of C, but not more than the surface can be followed for. For the
-/// ellipsoid x² + 2y² + 4z² = 1 with 10242 vertices and noise of 0, 0.1 % and 1 % of h it is 2.75 h, 6.7 h and 10.5 h; C then
-/// is wrong by 2 %, 10 % and 25 % of its root mean square, but from one vertex to the next only by 0.5 %, 2 % and 5 %.
+/// The error of C is in proportion to R² on exact meshes, R being the radius, but smooth over the surface; that by
+/// noise is in proportion to R⁻⁴. So the default is the smallest radius that makes the noise small: 2.75 times the
+/// local distance h of neighbours if residuals show no noise, or if they grow with R as only details of the surface
+/// do; else up to 16.4 times the typical h, nearly the same everywhere, until noise is 2.5 % of C, but not more than
+/// the surface can be followed for. For the ellipsoid x² + 2y² + 4z² = 1 with 10242 vertices and noise of 0, 0.1 %
+/// and 1 % of h it is 2.75 h, 6.7 h and 10.5 h; C then is wrong by 2 %, 10 % and 25 % of its root mean square, but
+/// from one vertex to the next only by 0.5 %, 2 % and 5 %.
 /// \throws std::invalid_argument if an option is out of its range or a coordinate is not finite
 /// O(n · vertices in a neighbourhood).
 Fit fit_vertex_shapes(const Cell_complex& cells, const Fit_options& options = {});
