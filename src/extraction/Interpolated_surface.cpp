@@ -122,7 +122,7 @@ void Interpolated_surface::require_valid(const Cell_complex& cells, const Vertex
 std::vector<Sample> Interpolated_surface::samples(const Cell_complex& cells, const Vertex_shapes& shapes) const {
   const std::size_t n = cells.points.size();
   std::vector<Sample> samples;
-  samples.reserve(n);
+  samples.reserve(n + n / 8); // the division of cells will add some
   const double length = size_of(cells.points);
   for (std::size_t i = 0; i < n; ++i)
     samples.emplace_back(cells.points[i], never_zero(shapes.shapes[i], length), true);

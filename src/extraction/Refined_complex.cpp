@@ -197,8 +197,22 @@ void Refined_complex::divide_cells(const std::vector<std::uint32_t>& ids) {
   settle_edges(first_edge);
 }
 
-void Refined_complex::analyse(const std::vector<std::uint32_t>& cells, bool may_divide) {
+void Refined_complex::analyse(const std::vector<std::uint32_t>& all, bool may_divide) {
   Thread_pool pool(options_.threads);
+  // In most cells nothing happens: what is found out about the others takes far less memory.
+  std::vector<char> empty(all.size());
+  pool.for_each(all.size(), 256, [&](std::size_t i) { empty[i] = is_plainly_empty(*this, cells_[all[i]]); });
+  std::vector<std::uint32_t> cells;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!empty[i]) {
+      cells.push_back(all[i]);
+      continue;
+    }
+    Refined_cell& cell = cells_[all[i]];
+    cell.content = Content::lines;
+    cell.certain = true;
+    cell.winding_P = cell.winding_Q = 0;
+  }
   std::vector<Cell_analysis> found(cells.size());
   pool.for_each(cells.size(), 32, [&](std::size_t i) {
     const Refined_cell& cell = cells_[cells[i]];

@@ -91,7 +91,7 @@ private:
   void settle_edges(std::size_t first);
   void divide_edges(const std::vector<std::uint32_t>& ids);
   void divide_cells(const std::vector<std::uint32_t>& ids);
-  void analyse(const std::vector<std::uint32_t>& cells, bool may_divide);
+  void analyse(const std::vector<std::uint32_t>& all, bool may_divide);
   void settle_folds();
   void own(Half_edge h, std::uint32_t cell);
   Half_edge half(Half_edge h, int which) const;

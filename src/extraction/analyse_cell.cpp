@@ -177,25 +177,6 @@ bool lines_are_certain(const Refined_complex& complex, const std::vector<Half_ed
   return gap > clearance * fit.residual;
 }
 
-/// tells, without a look inside, that nothing happens in a cell: no line crosses its border, the fields hardly turn
-/// around it and Φ keeps far from the real axis. What is interpolated turns inside no further than around: there it is
-/// enough to be as far as that.
-bool plainly_empty(const Refined_complex& complex, const Refined_cell& cell) {
-  constexpr double little = 1.5, far = 0.3;
-  constexpr double nearly_flat = 0.9; // with normals that near, transport around the cell turns by less than ½
-  const Vector& normal = complex.samples()[complex.source(cell.sides[0])].shape.n;
-  double turn = 0, gap = pi;
-  const bool quiet = complex.visit_border(cell, [&](Half_edge h) {
-    const Refined_edge& e = complex.edges()[h / 2];
-    const Sample& s = complex.samples()[complex.source(h)];
-    turn += 2 * std::abs(e.turn_P) + std::abs(e.turn_Q);
-    gap = std::min(gap, std::abs(s.phase - pi * std::round(s.phase / pi)));
-    const bool crossed = e.winding != 0 || complex.samples()[e.a].positive != complex.samples()[e.b].positive;
-    return !crossed && turn < little && dot(s.shape.n, normal) > nearly_flat;
-  });
-  return quiet && (gap > far || (complex.surface().interpolates() && gap > turn));
-}
-
 /// tells whether each crossing has another family than the one that stands `offset` places on.
 bool families_differ(const std::vector<Border_crossing>& c, std::size_t offset) {
   for (std::size_t i = 0; i < c.size(); ++i)
@@ -270,6 +251,22 @@ double distance_from_trouble(const Sample& s, double P_around, double Q_around) 
 
 } // namespace
 
+bool is_plainly_empty(const Refined_complex& complex, const Refined_cell& cell) {
+  constexpr double little = 1.5, far = 0.3;
+  constexpr double nearly_flat = 0.9; // with normals that near, transport around the cell turns by less than ½
+  const Vector& normal = complex.samples()[complex.source(cell.sides[0])].shape.n;
+  double turn = 0, gap = pi;
+  const bool quiet = complex.visit_border(cell, [&](Half_edge h) {
+    const Refined_edge& e = complex.edges()[h / 2];
+    const Sample& s = complex.samples()[complex.source(h)];
+    turn += 2 * std::abs(e.turn_P) + std::abs(e.turn_Q);
+    gap = std::min(gap, std::abs(s.phase - pi * std::round(s.phase / pi)));
+    const bool crossed = e.winding != 0 || complex.samples()[e.a].positive != complex.samples()[e.b].positive;
+    return !crossed && turn < little && dot(s.shape.n, normal) > nearly_flat;
+  });
+  return quiet && (gap > far || (complex.surface().interpolates() && gap > turn));
+}
+
 Border_crossings border_crossings(const Refined_complex& complex, const std::vector<Half_edge>& border) {
   Border_crossings met;
   // The half-turn [π·m, π·(m + 1)) in which the lifted phase lies.
@@ -328,10 +325,6 @@ Sample nudged(const Surface& surface, const Sample& s, double size, double P_aro
 Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& cell, bool may_divide,
                            bool may_divide_lines) {
   Cell_analysis result;
-  if (plainly_empty(complex, cell)) {
-    result.content = Content::lines;
-    return result;
-  }
   std::vector<Half_edge> border;
   complex.border(cell, border);
   const Border_crossings met = border_crossings(complex, border);

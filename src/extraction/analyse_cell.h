@@ -32,7 +32,12 @@ struct Cell_analysis {
   std::optional<Sample> sample;     ///< the vertex in the cell, or its middle
 };
 
-/// decides what a cell holds: windings of P and Q around its border count their zeros inside, and a linear model of
+/// tells, without a look inside, that nothing happens in a cell: no line crosses its border, the fields hardly turn
+/// around it and Φ keeps far from the real axis. What is interpolated turns inside no further than around: there it is
+/// enough to be as far as that.
+bool is_plainly_empty(const Refined_complex& complex, const Refined_cell& cell);
+
+/// decides what a cell holds that is not plainly empty: windings of P and Q around its border count their zeros inside, and a linear model of
 /// each, with its error measured at the samples, tells whether there can be more than the windings say.
 /// \param may_divide  give up with `Content::undecided` when in doubt; otherwise the simplest content that the border
 ///        allows is taken

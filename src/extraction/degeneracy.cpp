@@ -25,9 +25,13 @@ struct Tolerance {
 };
 
 State state_of(const Sample& s, const Tolerance& zero) {
-  const double R = std::abs(s.shape.Q);
-  if (R < zero.L && std::abs(s.shape.A1) + std::abs(s.shape.A3) < zero.C)
+  const double R2 = std::norm(s.shape.Q);
+  if (R2 < zero.L * zero.L && std::abs(s.shape.A1) + std::abs(s.shape.A3) < zero.C)
     return State::umbilic;
+  // The smaller extremality is at least |e1 e2|/√(e1² + e2²) = |Im Φ|/(2R²|P|): mostly that is enough, and needs no directions.
+  const double product = s.shape.Phi().imag();
+  if (product * product > 4 * R2 * R2 * std::norm(s.P) * zero.C * zero.C)
+    return State::generic;
   const Principal_quantities q = principal_quantities(s.shape);
   return std::min(std::abs(q.e1), std::abs(q.e2)) < zero.C ? State::canal : State::generic;
 }
