@@ -48,9 +48,9 @@ inline std::string off(const Polygons& m) {
 inline std::string obj(const Polygons& m) {
   std::string text = "# by hand\nmtllib none.mtl\no thing\n";
   for (const auto& p : m.points)
-    text += "v" + words(p) + "\n";
+    text.append("v").append(words(p)).append("\n");
   for (const auto& polygon : m.polygons)
-    text += "f" + words(polygon, 1) + "\n";
+    text.append("f").append(words(polygon, 1)).append("\n");
   return text;
 }
 
