@@ -181,6 +181,7 @@ TEST(Check, finds_numbers_that_are_not_finite) {
   EXPECT_EQ(after(closed_mesh(), [&](Parts& p) { p.vertices[7].t1[0] = nan; }).violated, (Names{"geometry"}));
   EXPECT_EQ(after(closed_mesh(), [&](Parts& p) { p.cells[1].weight = nan; }).violated, (Names{"geometry"}));
   EXPECT_EQ(after(closed_mesh(), [&](Parts& p) { p.cells[1].area = nan; }).violated.count("cells"), 1U);
+  EXPECT_EQ(after(closed_mesh(), [&](Parts& p) { p.cells[1].area = -0.1; }).violated.count("cells"), 1U);
 }
 
 TEST(Check, finds_bad_normals_and_curvatures) {

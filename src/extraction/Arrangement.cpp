@@ -137,7 +137,7 @@ void Arrangement::place(Crossing& crossing, std::uint32_t count) const {
       kept *= factor > 0 ? factor : 0.5;
       (at_low ? low : high) = t;
       (at_low ? h_low : h_high) = h;
-      if (t == margin || t == 1 - margin)
+      if ((t == margin && !at_low) || (t == 1 - margin && at_low)) // it lies still nearer to the sample
         break;
     }
   }

@@ -11,7 +11,7 @@
 namespace CGAL::Extremal_mesh_3 {
 
 /// A surface that is known at the points of its cells only. Between them L, C and the fourth-order form are interpolated:
-/// linearly along edges, and within a cell from the values at its corners and its middle.
+/// along edges from their ends, and within a cell from its corners and its middle (see `interpolate()`).
 class Interpolated_surface : public Surface {
 public:
   std::optional<Sample> sample(const Point&, const Vector&, double, double) const override { return std::nullopt; }

@@ -27,7 +27,7 @@ std::optional<Sample> zero_in_triangle(const Surface& surface, Field field, cons
   double x = 1.0 / 3, y = 1.0 / 3;
   Sample s = at(x, y);
   for (int i = 0; i < 30; ++i) {
-    constexpr double h = 1e-5; // P is quadratic, Q linear: the error of the differences is of this size
+    constexpr double h = 1e-5; // of the triangle: P and Q are polynomials, and the error of the differences is of this size
     const Complex F = value_of(field, s);
     const Complex fx = (value_moved(field, at(x + h, y), s) - F) / h, fy = (value_moved(field, at(x, y + h), s) - F) / h;
     const double det = fx.real() * fy.imag() - fx.imag() * fy.real();

@@ -37,7 +37,8 @@ struct Extraction_report {
   std::size_t uncertain_cells = 0;    ///< cells taken as they were at the finest level
   std::size_t interpolated_points = 0; ///< points that could not be placed on the surface itself
   std::size_t degenerate_cells = 0;   ///< initial cells in which E_g = 0 up to rounding
-  std::size_t unknown_cells = 0;      ///< initial cells with a corner at which no jet could be fitted, or one that contradicts the cells
+  /// initial cells with a corner at which no jet could be fitted, or one that contradicts the cells
+  std::size_t unknown_cells = 0;
   int rounds = 0;                     ///< of subdivision
 };
 
@@ -67,7 +68,8 @@ Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, co
 Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells, const Extraction_options& options = {});
 
 /// extracts the extremal mesh of a surface that is known at the points of its cells only. Between them L and C are
-/// interpolated linearly in a common frame, so that Φ is a polynomial along every edge. Areas in which `E_g = 0` (up to
+/// interpolated in a common frame, by their values and derivatives (exactly where they are quadratic), so that Φ is a polynomial
+/// along every edge. Areas in which `E_g = 0` (up to
 /// the shapes' errors) or no jet could be fitted are cut out: lines end at their border, in `boundary` vertices.
 /// \param shapes  one per point of `cells`, by `fit_vertex_shapes()` or from the caller's own knowledge
 /// \throws std::invalid_argument if there are not as many shapes as points, or one that is not finite
