@@ -138,8 +138,8 @@ TEST(GraphML, refuses_what_is_not_graphml) {
   EXPECT_EQ(refusal("<graphml/>"), "there is no graph");
   EXPECT_EQ(refusal("<graphml><graph edgedefault='undirected'><node id='a'/></graph></graphml>"),
             "this graph was not written by Extremal_mesh_3; make one with 'extremal_mesh extract'");
-  EXPECT_EQ(refusal(spoilt("Extremal_mesh_3 1<", "Extremal_mesh_3 2<")),
-            "the graph: format: it is 'Extremal_mesh_3 2'; this program reads 'Extremal_mesh_3 1'");
+  EXPECT_EQ(refusal(spoilt("Extremal_mesh_3 2<", "Extremal_mesh_3 1<")),
+            "the graph: format: it is 'Extremal_mesh_3 1'; this program reads 'Extremal_mesh_3 2'");
   EXPECT_EQ(refusal(std::string(1000, '\0')), "this is not XML; it should begin with '<'");
 }
 

@@ -59,8 +59,10 @@ inline Extremal_mesh_edge edge(std::uint32_t source, std::uint32_t target, int f
   e.type = type;
   for (int i = 0; i <= segments; ++i) {
     e.polyline.push_back(p(double(i) / segments));
+    e.normals.push_back(unit(e.polyline.back()));
     e.k1.push_back(-0.1 - 0.01 * i);
     e.k2.push_back(-0.5 - 0.03 * i);
+    e.extremality.push_back(0.1 * i * (segments - i));
   }
   e.segment_types.assign(std::size_t(segments), type);
   for (std::size_t i = 0; i + 1 < e.polyline.size(); ++i) {

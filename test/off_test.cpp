@@ -147,6 +147,8 @@ TEST(Off, tubes_survive_repeated_points_and_sharp_turns) {
   for (std::uint32_t e = 0; e < 2; ++e) {
     edges[e].id = e;
     edges[e].target = 1;
+    edges[e].normals.resize(edges[e].polyline.size());
+    edges[e].extremality.resize(edges[e].polyline.size());
     edges[e].k1.resize(edges[e].polyline.size());
     edges[e].k2.resize(edges[e].polyline.size());
     edges[e].segment_types.resize(edges[e].polyline.size() - 1);

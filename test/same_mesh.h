@@ -46,8 +46,12 @@ inline void expect_same(const Extremal_mesh_edge& a, const Extremal_mesh_edge& b
   ASSERT_EQ(a.polyline.size(), b.polyline.size()) << what;
   for (std::size_t i = 0; i < a.polyline.size(); ++i)
     expect_same_bits(a.polyline[i], b.polyline[i], what);
+  ASSERT_EQ(a.normals.size(), b.normals.size()) << what;
+  for (std::size_t i = 0; i < a.normals.size(); ++i)
+    expect_same_bits(a.normals[i], b.normals[i], what);
   expect_same_bits(a.k1, b.k1, what);
   expect_same_bits(a.k2, b.k2, what);
+  expect_same_bits(a.extremality, b.extremality, what);
   EXPECT_EQ(a.segment_types, b.segment_types) << what;
   expect_same_bits(std::array{a.length, a.strength, a.sharpness}, std::array{b.length, b.strength, b.sharpness}, what);
   EXPECT_EQ(a.left_cell, b.left_cell) << what;

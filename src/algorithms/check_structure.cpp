@@ -26,6 +26,8 @@ bool finite(const Extremal_mesh_edge& e) {
   const auto is_finite = [](double x) { return std::isfinite(x); };
   return std::all_of(e.polyline.begin(), e.polyline.end(), [](const Point& p) { return finite(p); }) &&
          std::all_of(e.k1.begin(), e.k1.end(), is_finite) && std::all_of(e.k2.begin(), e.k2.end(), is_finite) &&
+         std::all_of(e.normals.begin(), e.normals.end(), [](const Vector& n) { return finite(n); }) &&
+         std::all_of(e.extremality.begin(), e.extremality.end(), [](double x) { return std::isfinite(x) && x >= 0; }) &&
          std::isfinite(e.length) && std::isfinite(e.strength) && std::isfinite(e.sharpness);
 }
 

@@ -146,6 +146,7 @@ void Arrangement::place(Crossing& crossing, std::uint32_t count) const {
   crossing.n = s.shape.n;
   crossing.k1 = q.k1;
   crossing.k2 = q.k2;
+  crossing.extremality = std::abs(crossing.family == 1 ? q.e2 : q.e1);
   const double derivative = complex_.surface().extremality_derivative(s, crossing.family, 1e-3 * distance(a->p, b->p));
   crossing.derivative = std::isfinite(derivative) ? derivative : 0; // infinite where k1 = k2
 }

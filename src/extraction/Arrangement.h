@@ -30,6 +30,7 @@ struct Crossing {
   Point p{};
   Vector n{};
   double k1 = 0, k2 = 0, derivative = 0; ///< derivative: ∇e_i·t_i
+  double extremality = 0;                ///< |e_j| of the other family
 };
 
 /// A vertex inside a cell with the crossings to which its branches lead, counter-clockwise.

@@ -177,24 +177,29 @@ void Line_tracer::add_edge(std::uint32_t source, std::size_t source_slot, Step f
   edge.left_cell = regions_.region(c.edge, first.side == 0 ? c.ordinal : c.ordinal + 1);
   edge.right_cell = regions_.region(c.edge, first.side == 0 ? c.ordinal + 1 : c.ordinal);
 
-  // Its points. At a node ∇e·t may be infinite (umbilics): the value beside it stands for it.
+  // Its points. At an umbilic ∇e·t may be infinite and e_j has no limit: the values beside it stand for them.
   std::vector<double> derivative;
-  const auto add = [&](const Point& p, double k1, double k2, double d) {
+  const auto add = [&](const Point& p, const Vector& n, double k1, double k2, double e, double d) {
     edge.polyline.push_back(p);
+    edge.normals.push_back(n);
     edge.k1.push_back(k1);
     edge.k2.push_back(k2);
+    edge.extremality.push_back(e);
     derivative.push_back(d);
   };
-  const auto add_node = [&](std::uint32_t v, double d) {
+  const auto add_node = [&](std::uint32_t v, const Crossing& beside) {
+    const Extremal_mesh_vertex& x = vertices[v];
     if (v < arrangement_.nodes().size())
-      add(vertices[v].point, vertices[v].k1, vertices[v].k2, d);
+      add(x.point, x.normal, x.k1, x.k2, x.kind == Vertex_kind::extremal_point ? 0 : beside.extremality,
+          beside.derivative);
   };
-  add_node(source, crossings[met.front()].derivative);
+  add_node(source, crossings[met.front()]);
   for (const std::uint32_t m : met) {
     used_[m] = 1;
-    add(crossings[m].p, crossings[m].k1, crossings[m].k2, crossings[m].derivative);
+    const Crossing& x = crossings[m];
+    add(x.p, x.n, x.k1, x.k2, x.extremality, x.derivative);
   }
-  add_node(edge.target, crossings[met.back()].derivative);
+  add_node(edge.target, crossings[met.back()]);
   measure(edge, derivative);
   edges.push_back(std::move(edge));
 }

@@ -83,8 +83,10 @@ inline constexpr std::array edge_fields = {
     field_of<&internal::E::left_cell, internal::E>("left_cell", true),
     field_of<&internal::E::right_cell, internal::E>("right_cell", true),
     field_of<&internal::E::polyline, internal::E>("polyline", true),
+    field_of<&internal::E::normals, internal::E>("normals_along", true),
     field_of<&internal::E::k1, internal::E>("k_max_along", true),
     field_of<&internal::E::k2, internal::E>("k_min_along", true),
+    field_of<&internal::E::extremality, internal::E>("extremality_along", true),
     field_of<&internal::E::segment_types, internal::E>("segment_types", true),
 };
 
@@ -105,7 +107,7 @@ inline constexpr std::string_view format_key = "format";   ///< `format_name` be
 inline constexpr std::string_view cells_key = "cells";     ///< JSON, see cells_json.h
 
 /// Changes whenever older readers could not read the file.
-inline constexpr std::string_view format_name = "Extremal_mesh_3 1";
+inline constexpr std::string_view format_name = "Extremal_mesh_3 2";
 
 } // namespace CGAL::Extremal_mesh_3::graphml
 

@@ -83,6 +83,9 @@ void validate(const Extremal_mesh_edge& edge, std::size_t e, std::size_t number_
   require(n >= 2, "edge {}: its polyline has {} points; it needs at least 2", e, n);
   require(edge.k1.size() == n && edge.k2.size() == n, "edge {}: it has {} points, {} values of k1 and {} of k2", e, n,
           edge.k1.size(), edge.k2.size());
+  require(edge.normals.size() == n && edge.extremality.size() == n,
+          "edge {}: it has {} points, {} normals and {} values of the extremality", e, n, edge.normals.size(),
+          edge.extremality.size());
   require(edge.segment_types.size() == n - 1, "edge {}: it has {} segments and {} segment types", e, n - 1,
           edge.segment_types.size());
 }

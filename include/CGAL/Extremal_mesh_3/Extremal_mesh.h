@@ -62,7 +62,11 @@ struct Extremal_mesh_edge {
   std::uint32_t source = 0, target = 0;    ///< the ends of half-edge 2·id
   int family = 1;                          ///< e_family = 0 along the edge
   std::vector<Point> polyline;             ///< on the surface, from source to target, both included
+  std::vector<Vector> normals;             ///< of the surface at the polyline's points, unit
   std::vector<double> k1, k2;              ///< principal curvatures at the polyline's points
+  /// |e_j| ≥ 0 of the other family j = 3 − family at the polyline's points, in 1/length²: 0 at extremal points; at
+  /// umbilics, where it has no limit, that of the point beside
+  std::vector<double> extremality;
   std::vector<Line_type> segment_types;    ///< one per segment of the polyline
   Line_type type = Line_type::max_largest; ///< the type of the greatest part of the length
   double length = 0;

@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_EXTREMAL_MESH_3_SIMPLIFY_H
+#define CGAL_EXTREMAL_MESH_3_SIMPLIFY_H
+
+#include <CGAL/Extremal_mesh_3/Extremal_mesh.h>
+#include <CGAL/Extremal_mesh_3/extract_extremal_mesh.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace CGAL::Extremal_mesh_3 {
+
+/// What one step of a simplification does. Each changes the mesh as a small change of the surface could: degrees stay
+/// even, the signs of the cells alternate, χ and both sums of indices are kept.
+enum class Simplification_operation : std::uint8_t {
+  cancel_extremal_points, ///< two extremal points of opposite index, joined by an edge, vanish
+  cancel_umbilics,        ///< two umbilics of opposite index, joined by an edge, vanish
+  merge_vertices,         ///< three vertices become the one generic vertex that has the sum of their indices
+  detach_lines,           ///< a 3-ridge umbilic becomes a 1-ridge one: two of its lines leave it
+  drop_closed_line,       ///< a closed line around a disk in which there is nothing vanishes
+  drop_border_line        ///< so does a line that cuts a disk off at the border of the surface
+};
+std::string_view to_string(Simplification_operation);
+
+/// One step of a simplification.
+struct Simplification_step {
+  Simplification_operation operation = Simplification_operation::cancel_extremal_points;
+  /// how far the extremalities must change for it, times the area of the surface (no unit); it never falls from a step
+  /// to the next
+  double persistence = 0;
+  Point point{};                       ///< where it happens
+  std::vector<std::uint32_t> vanished; ///< vertices of the unsimplified mesh that are no more
+  std::size_t vertices = 0, edges = 0, cells = 0; ///< of the mesh after the step
+};
+
+struct Simplification_options {
+  /// crest lines (`Extremal_mesh_edge::type` max_largest, followed straight through extremal points) of at least this
+  /// strength keep their course
+  double keep_crest = std::numeric_limits<double>::infinity();
+};
+
+/// The hierarchy of ever simpler extremal meshes, from a given one (level 0) to the simplest that can be reached. Level
+/// i is the mesh after i steps, least persistent first.
+///
+/// Every line of a level runs along lines of the given mesh and every cell is a union of its cells. Where vertices were
+/// cancelled, up to three lines run along the same piece of a line, beside each other; none crosses another.
+/// The steps depend on measures that rigid motions do not change, only.
+class Simplification {
+public:
+  /// finds all steps. O(n log n) for n edges, but that lines that were joined many times count by their pieces.
+  explicit Simplification(Extremal_mesh mesh, const Simplification_options& options = {});
+  ~Simplification();
+  Simplification(Simplification&&) noexcept;
+  Simplification& operator=(Simplification&&) noexcept;
+
+  const std::vector<Simplification_step>& steps() const;
+  std::size_t number_of_levels() const { return steps().size() + 1; }
+
+  /// \name Levels
+  /// @{
+  /// the level at which every step of at most this persistence is done.
+  std::size_t level_of_persistence(double threshold) const;
+  /// the first level with at most so many cells; the last level if there is none.
+  std::size_t level_of_cells(std::size_t cells) const;
+  /// the first level with at most so many vertices; the last level if there is none.
+  std::size_t level_of_vertices(std::size_t vertices) const;
+  /// the level before the greatest jump in persistence (as a ratio of neighbours), where noise ends and shape begins, if
+  /// there is such an end.
+  std::size_t level_at_gap() const;
+  /// @}
+
+  /// makes the mesh of a level. Its `parameters` tell the level and its persistence. O(size of the given mesh).
+  /// \throws std::out_of_range if there is no such level
+  Extremal_mesh mesh_at(std::size_t level) const;
+  /// tells for each cell of the given mesh in which cell of `mesh_at(level)` it is.
+  std::vector<std::uint32_t> cells_at(std::size_t level) const;
+  /// the patches of the given mesh with the cells of `mesh_at(level)`.
+  Cell_patches patches_at(std::size_t level, const Cell_patches& patches) const;
+
+  /// the persistence of each vertex of the given mesh: that of the step in which it vanishes, or infinity.
+  std::vector<double> vertex_persistence() const;
+
+private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+} // namespace CGAL::Extremal_mesh_3
+
+#endif // CGAL_EXTREMAL_MESH_3_SIMPLIFY_H
