@@ -107,7 +107,7 @@ TEST(Check, says_what_does_not_apply_to_surfaces_with_border) {
 TEST(Check, finds_a_branch_that_is_missing_from_a_star) {
   const Outcome o =
       after(closed_mesh(), [](Parts& p) { p.vertices[p.first(Vertex_kind::extremal_point)].star.pop_back(); });
-  EXPECT_EQ(o.violated, (Names{"stars", "walks", "degrees", "families", "faces"}));
+  EXPECT_EQ(o.violated, (Names{"stars", "walks", "degrees", "families", "winding", "faces"}));
   EXPECT_TRUE(o.names("stands in 0 stars")) << o.details;
   EXPECT_TRUE(o.names(name_of(closed_mesh(), Vertex_kind::extremal_point, "extremal_point") + " of degree 3"))
       << o.details;
@@ -201,7 +201,7 @@ TEST(Check, finds_degrees_that_do_not_fit_the_kind) {
 
 TEST(Check, finds_an_edge_of_the_wrong_family) {
   const Outcome o = after(closed_mesh(), [](Parts& p) { p.edges[0].family = 3 - p.edges[0].family; });
-  EXPECT_EQ(o.violated, (Names{"families"}));
+  EXPECT_EQ(o.violated, (Names{"families", "winding"}));
   EXPECT_TRUE(o.names("2 violations")) << o.details; // at its two ends
   EXPECT_TRUE(o.names(' ' + std::to_string(closed_mesh().edge(0).source) + " at")) << o.details;
 }
@@ -217,13 +217,13 @@ TEST(Check, finds_umbilics_of_the_wrong_class) {
     v.umbilic_type = Umbilic_type::star;
     v.umbilic_index = -0.5;
   });
-  EXPECT_EQ(o.violated, (Names{"umbilic_index"}));
+  EXPECT_EQ(o.violated, (Names{"winding", "umbilic_index"}));
   EXPECT_TRUE(o.names("1 ≠ 2")) << o.details;
 }
 
 TEST(Check, finds_two_cells_of_one_sign_side_by_side) {
   const Outcome o = after(closed_mesh(), [](Parts& p) { p.cells[5].sign = -p.cells[5].sign; });
-  EXPECT_EQ(o.violated, (Names{"alternation"}));
+  EXPECT_EQ(o.violated, (Names{"alternation", "winding"}));
   EXPECT_TRUE(o.names("5")) << o.details;
 }
 
@@ -243,7 +243,41 @@ TEST(Check, finds_the_wrong_euler_characteristic) {
 TEST(Check, finds_the_wrong_index_of_the_vector_field) {
   const Outcome o =
       after(closed_mesh(), [](Parts& p) { p.vertices[p.first(Vertex_kind::extremal_point)].field_index *= -1; });
-  EXPECT_EQ(o.violated, (Names{"field_index"}));
+  EXPECT_EQ(o.violated, (Names{"winding", "field_index"}));
+}
+
+TEST(Check, finds_two_wrong_indices_that_cancel_in_the_sum) {
+  std::array<std::size_t, 2> points{}; // of opposite index
+  const Outcome o = after(closed_mesh(), [&](Parts& p) {
+    points[0] = points[1] = p.first(Vertex_kind::extremal_point);
+    while (p.vertices[points[1]].kind != Vertex_kind::extremal_point ||
+           p.vertices[points[1]].field_index != -p.vertices[points[0]].field_index)
+      ++points[1];
+    std::swap(p.vertices[points[0]].field_index, p.vertices[points[1]].field_index);
+  });
+  EXPECT_EQ(o.violated, (Names{"winding"}));
+  for (const std::size_t v : points)
+    EXPECT_TRUE(o.names("around extremal_point " + std::to_string(v) + " of indices 0 and")) << o.details;
+  EXPECT_TRUE(o.names("2 violations")) << o.details;
+}
+
+TEST(Check, finds_a_mesh_whose_lines_are_of_the_other_family) {
+  // Every other statement is the same for both families: only Φ turns the other way round.
+  const Outcome o = after(closed_mesh(), [](Parts& p) {
+    for (Extremal_mesh_edge& e : p.edges)
+      e.family = 3 - e.family;
+  });
+  EXPECT_EQ(o.violated, (Names{"winding"}));
+}
+
+TEST(Check, finds_a_mirrored_mesh_whose_cells_kept_their_signs) {
+  EXPECT_EQ(after(bordered_mesh(),
+                  [](Parts& p) {
+                    for (Extremal_mesh_cell& c : p.cells)
+                      c.sign = -c.sign;
+                  })
+                .violated,
+            (Names{"winding"}));
 }
 
 TEST(Check, finds_an_odd_number_of_extremal_points) {
@@ -255,6 +289,7 @@ TEST(Check, finds_an_odd_number_of_extremal_points) {
 
 TEST(Check, finds_a_border_that_should_not_be_there_or_is_missing) {
   EXPECT_EQ(after(closed_mesh(), [](Parts& p) { p.cells[0].touches_border = true; }).violated, (Names{"border"}));
+  EXPECT_TRUE(after(closed_mesh(), [](Parts& p) { p.cells[3].touches_border = true; }).names("cell 3 touches"));
   EXPECT_EQ(after(closed_mesh(), [](Parts& p) { p.surface.closed = false; }).violated, (Names{"border"}));
   EXPECT_TRUE(after(bordered_mesh(), [](Parts& p) { p.surface.closed = true; }).violated.count("border"));
 }
@@ -272,6 +307,7 @@ TEST(Check, finds_a_loop_of_the_border_with_an_odd_number_of_ends) {
     p.vertices[p.first(Vertex_kind::boundary)].kind = Vertex_kind::non_generic;
   });
   EXPECT_TRUE(o.violated.count("border")) << o.details;
+  EXPECT_TRUE(o.names(" lines end on the loop of the border with vertex ")) << o.details;
 }
 
 TEST(Check, tells_at_most_five_places_and_counts_the_rest) {
@@ -279,7 +315,9 @@ TEST(Check, tells_at_most_five_places_and_counts_the_rest) {
     for (Extremal_mesh_cell& c : p.cells)
       c.sign = 1;
   });
-  EXPECT_EQ(o.violated, (Names{"alternation"}));
-  EXPECT_EQ(o.details.rfind("20 violations: ", 0), 0U) << o.details;
-  EXPECT_EQ(std::count(o.details.begin(), o.details.end(), ';'), 4) << o.details;
+  EXPECT_EQ(o.violated, (Names{"alternation", "winding"}));
+  const std::size_t begin = o.details.find("20 violations: edge ");
+  ASSERT_NE(begin, std::string::npos) << o.details;
+  const std::string edges = o.details.substr(begin, o.details.find('\n', begin) - begin);
+  EXPECT_EQ(std::count(edges.begin(), edges.end(), ';'), 4) << edges;
 }

@@ -15,6 +15,7 @@ std::vector<Check> check(const Extremal_mesh& mesh) {
           check_degrees(mesh),
           check_families(mesh),
           check_umbilics(mesh),
+          check_winding(mesh),
           check_alternation(mesh),
           check_cells(mesh),
           check_euler(mesh),

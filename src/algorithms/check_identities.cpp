@@ -31,6 +31,13 @@ Check equality(std::string name, std::string claim, double left, double right) {
           fmt::format("{} {} {}", left, left == right ? "=" : "≠", right)};
 }
 
+/// a vertex of a cell; the origin for a cell without lines.
+Point place_of(const Extremal_mesh& mesh, std::size_t c) {
+  if (c >= mesh.number_of_cells() || mesh.cell(c).boundary.empty() || mesh.cell(c).boundary[0].empty())
+    return {};
+  return mesh.vertex(mesh.source(mesh.cell(c).boundary[0][0])).point;
+}
+
 const std::string border_frees = "the surface has a border";
 
 } // namespace
@@ -90,6 +97,30 @@ Check check_umbilics(const Extremal_mesh& mesh) {
                    fmt::format("{} umbilics", count(mesh, Vertex_kind::umbilic)));
 }
 
+Check check_winding(const Extremal_mesh& mesh) {
+  Violations bad;
+  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
+    const Extremal_mesh_vertex& x = mesh.vertex(v);
+    if (x.kind == Vertex_kind::boundary)
+      continue;
+    // Im Φ has the sign of E_g, and on the lines Re Φ < 0 where e1 = 0, Re Φ > 0 where e2 = 0: each branch that a small
+    // circle crosses tells in which direction Φ goes through the real axis, by half a turn.
+    int half_turns = 0;
+    for (const Half_edge h : x.star) {
+      const int before = mesh.cell(mesh.left_cell(h ^ 1U)).sign, after = mesh.cell(mesh.left_cell(h)).sign;
+      half_turns += (mesh.edge(h / 2).family == 2 ? after - before : before - after) / 2;
+    }
+    if (half_turns != std::lround(4 * (x.umbilic_index - x.field_index)))
+      bad.at(fmt::format("around {} {} of indices {} and {} it turns by {} half turns", to_string(x.kind), v,
+                         x.umbilic_index, x.field_index, half_turns),
+             x.point);
+  }
+  return bad.check("winding",
+                   "around a vertex the signs of its cells and the families of its lines make Φ = P²Q turn 2·(index of "
+                   "the lines of curvature − index of R (e1 t1 − e2 t2)) times",
+                   fmt::format("{} vertices", mesh.number_of_vertices() - count(mesh, Vertex_kind::boundary)));
+}
+
 Check check_alternation(const Extremal_mesh& mesh) {
   Violations bad;
   for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
@@ -114,7 +145,7 @@ Check check_cells(const Extremal_mesh& mesh) {
     if (!good)
       bad.at(
           fmt::format("cell {} with χ = {}, {} boundary walks, area {:.3g}", c, x.euler_characteristic, holes, x.area),
-          holes > 0 ? mesh.vertex(mesh.source(x.boundary[0][0])).point : Point{});
+          place_of(mesh, c));
   }
   if (std::abs(area - mesh.surface().area) > 1e-9 * std::abs(area))
     bad.at(fmt::format("the areas of the cells sum to {}, the surface has {}", area, mesh.surface().area), Point{});
@@ -182,8 +213,13 @@ Check check_even_extremal_points(const Extremal_mesh& mesh) {
 
 namespace {
 
-/// the numbers of boundary vertices on each loop of the border that has any.
-std::vector<std::size_t> ends_on_loops(const Extremal_mesh& mesh) {
+/// A loop of the border on which lines end.
+struct Loop {
+  std::size_t vertex = 0; ///< one of its boundary vertices
+  std::size_t ends = 0;   ///< how many it has
+};
+
+std::vector<Loop> loops_with_ends(const Extremal_mesh& mesh) {
   // A walk around a cell that comes to the border goes along it to the next boundary vertex.
   const std::size_t none = mesh.number_of_vertices();
   std::vector<std::size_t> next(none, none);
@@ -194,14 +230,14 @@ std::vector<std::size_t> ends_on_loops(const Extremal_mesh& mesh) {
         if (mesh.vertex(v).kind == Vertex_kind::boundary)
           next[v] = mesh.source(walk[(i + 1) % walk.size()]);
       }
-  std::vector<std::size_t> loops;
+  std::vector<Loop> loops;
   std::vector<char> seen(none, 0);
   for (std::size_t start = 0; start < none; ++start) {
-    std::size_t length = 0;
-    for (std::size_t v = start; v != none && next[v] != none && !seen[v]; v = next[v], ++length)
+    Loop loop{start, 0};
+    for (std::size_t v = start; v != none && next[v] != none && !seen[v]; v = next[v], ++loop.ends)
       seen[v] = 1;
-    if (length > 0)
-      loops.push_back(length);
+    if (loop.ends > 0)
+      loops.push_back(loop);
   }
   return loops;
 }
@@ -209,16 +245,31 @@ std::vector<std::size_t> ends_on_loops(const Extremal_mesh& mesh) {
 } // namespace
 
 Check check_border(const Extremal_mesh& mesh) {
-  const std::size_t ends = count(mesh, Vertex_kind::boundary);
-  const bool touched =
-      std::any_of(mesh.cells().begin(), mesh.cells().end(), [](const auto& c) { return c.touches_border; });
-  const std::vector<std::size_t> loops = ends_on_loops(mesh);
-  const bool even = std::all_of(loops.begin(), loops.end(), [](std::size_t n) { return n % 2 == 0; });
-  const bool holds = mesh.surface().closed ? ends == 0 && !touched : even && touched;
-  return {"border", "lines end on each loop of the border an even number of times, and nowhere on a closed surface",
-          true, holds,
-          fmt::format("{} boundary vertices on {} loops of a {} surface", ends, loops.size(),
-                      mesh.surface().closed ? "closed" : "bordered")};
+  Violations bad;
+  const std::vector<Loop> loops = loops_with_ends(mesh);
+  bool touched = false;
+  for (std::size_t c = 0; c < mesh.number_of_cells(); ++c)
+    if (mesh.cell(c).touches_border) {
+      touched = true;
+      if (mesh.surface().closed)
+        bad.at(fmt::format("cell {} touches the border of a closed surface", c), place_of(mesh, c));
+    }
+  if (mesh.surface().closed) {
+    for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+      if (mesh.vertex(v).kind == Vertex_kind::boundary)
+        bad.at(fmt::format("boundary vertex {} of a closed surface", v), mesh.vertex(v).point);
+  } else {
+    if (!touched)
+      bad.at("no cell of a surface with border touches it; the first one is", place_of(mesh, 0));
+    for (const Loop& loop : loops)
+      if (loop.ends % 2 != 0)
+        bad.at(fmt::format("{} lines end on the loop of the border with vertex {}", loop.ends, loop.vertex),
+               mesh.vertex(loop.vertex).point);
+  }
+  return bad.check(
+      "border", "lines end on each loop of the border an even number of times, and nowhere on a closed surface",
+      fmt::format("{} boundary vertices on {} loops of a {} surface", count(mesh, Vertex_kind::boundary), loops.size(),
+                  mesh.surface().closed ? "closed" : "bordered"));
 }
 
 Check check_border_parity(const Extremal_mesh& mesh) {

@@ -32,6 +32,7 @@ Check check_geometry(const Extremal_mesh& mesh);
 Check check_degrees(const Extremal_mesh& mesh);
 Check check_families(const Extremal_mesh& mesh);
 Check check_umbilics(const Extremal_mesh& mesh);
+Check check_winding(const Extremal_mesh& mesh);
 Check check_alternation(const Extremal_mesh& mesh);
 Check check_cells(const Extremal_mesh& mesh);
 Check check_euler(const Extremal_mesh& mesh);

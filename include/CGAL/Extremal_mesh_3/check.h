@@ -20,7 +20,7 @@ struct Check {
 };
 
 /// tests every identity of the extremal mesh that can be tested on the graph and its cells alone: degrees, families around
-/// vertices, links (stars, boundary walks, cells on both sides agree), alternation of signs, Euler characteristic, sums of the umbilic and the
+/// vertices, turns of Φ around them, links (stars, boundary walks, cells on both sides agree), alternation of signs, Euler characteristic, sums of the umbilic and the
 /// vector field indices, geometry (finite, polylines end at their vertices). O(V + E + F).
 std::vector<Check> check(const Extremal_mesh& mesh);
 
