@@ -20,8 +20,7 @@ namespace CGAL::Extremal_mesh_3 {
 enum class Simplification_operation : std::uint8_t {
   cancel_extremal_points, ///< two extremal points of opposite index, joined by an edge, vanish
   cancel_umbilics,        ///< two umbilics of opposite index, joined by an edge, vanish
-  merge_vertices,         ///< three vertices become the one generic vertex that has the sum of their indices
-  detach_lines,           ///< a 3-ridge umbilic becomes a 1-ridge one: two of its lines leave it
+  merge_vertices,         ///< three vertices (or two, one of them not generic) become the generic one with the sum of their indices
   drop_closed_line,       ///< a closed line around a disk in which there is nothing vanishes
   drop_border_line        ///< so does a line that cuts a disk off at the border of the surface
 };

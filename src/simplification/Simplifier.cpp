@@ -1,0 +1,244 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Simplifier.h"
+
+#include "indices.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace CGAL::Extremal_mesh_3 {
+
+namespace {
+
+/// how far the extremality that is 0 on a line gets from it on the disk within, or beyond it at the border. It is estimated
+/// from the slope at the line (a paraboloid over a disk of that area) and, as that says nothing of a large disk
+/// with a rough border, from the mean of √|E_g| inside.
+double height_within(const Embedded_graph::Edge& line, const Embedded_graph::Cell& disk) {
+  if (!(line.length > 0 && disk.area > 0))
+    return 0;
+  // The slope is that along a line of curvature: 2/π of the whole in the mean over all directions.
+  const double slope = std::numbers::pi / 2 * line.slope / line.length, radius = 2 * disk.area / line.length;
+  const double from_slope = slope * radius / 2;
+  const double mean_root = disk.weight / disk.area, other = line.mean_extremality / line.length;
+  // √(1 − r²) has the mean 2/3 over the unit disk.
+  return other > 0 ? std::min(from_slope, 9.0 / 4 * mean_root * mean_root / other) : from_slope;
+}
+
+} // namespace
+
+void Simplifier::apply(const Candidate& step) {
+  using Operation = Simplification_operation;
+  const Half_edge h = step.first;
+  if (step.operation == Operation::drop_closed_line || step.operation == Operation::drop_border_line) {
+    const Half_edge beyond = h ^ 1U;
+    if (step.operation == Operation::drop_closed_line)
+      graph_.drop_closed_line(h);
+    else
+      graph_.drop_border_line(h);
+    const Embedded_graph::Cell& c = graph_.cell(graph_.left_cell(beyond));
+    if (c.sides == 1)
+      touched.push_back(graph_.source(c.exclusive_or));
+    return;
+  }
+  const std::uint32_t v = graph_.source(h);
+  graph_.contract(h);
+  if (step.second != Embedded_graph::none)
+    graph_.contract(step.second);
+  reduce(v);
+}
+
+void Simplifier::touch_ends_of_star(std::uint32_t v) {
+  touched.push_back(v);
+  for (const Half_edge h : graph_.star(v)) {
+    touched.push_back(graph_.target(h));
+    for (const Half_edge side : {h, h ^ 1U})
+      if (const Embedded_graph::Cell& c = graph_.cell(graph_.left_cell(side)); c.is_disk_with_one_side())
+        touched.push_back(graph_.source(c.exclusive_or));
+  }
+}
+
+void Simplifier::reduce(std::uint32_t v) {
+  const auto degree = [&] { return graph_.vertices()[v].degree; };
+  const auto removable_loop = [&]() -> Half_edge {
+    for (const Half_edge h : graph_.star(v))
+      if (graph_.target(h) == v && graph_.cell(graph_.left_cell(h)).is_disk_with_one_side())
+        return h;
+    return Embedded_graph::none;
+  };
+  // A cell with two sides became a disk within a loop.
+  for (Half_edge h; degree() > 2 && (h = removable_loop()) != Embedded_graph::none;) {
+    touched.push_back(v);
+    graph_.remove_loop(h);
+  }
+  const Indices sum = indices(graph_.vertices()[v]);
+  const std::uint32_t wanted = std::max(sum.number_of_branches(), 2U);
+  while (degree() > wanted) {
+    // Which two branches go together is not determined if there are more than two of one family: the weakest do.
+    Half_edge best = Embedded_graph::none;
+    double least = 0;
+    for (const Half_edge h : graph_.star(v)) {
+      const Half_edge after = graph_.next(h);
+      if (graph_.family(h) != graph_.family(after))
+        continue;
+      const double strength = graph_.edges()[h / 2].strength + graph_.edges()[after / 2].strength;
+      if (best == Embedded_graph::none || strength < least) {
+        best = h;
+        least = strength;
+      }
+    }
+    const Half_edge line = graph_.detach(best, graph_.next(best));
+    for (const Half_edge h : {line, line ^ 1U}) {
+      touched.push_back(graph_.source(h));
+      if (const Embedded_graph::Cell& c = graph_.cell(graph_.left_cell(h)); c.is_disk_with_one_side())
+        touched.push_back(graph_.source(c.exclusive_or));
+    }
+  }
+  touch_ends_of_star(v);
+  if (sum == Indices{}) {
+    graph_.dissolve(v);
+    return;
+  }
+  graph_.become_generic(v);
+}
+
+// --- Step_finder
+
+bool Step_finder::Dearer::operator()(const Candidate& a, const Candidate& b) const {
+  if (a.cost != b.cost)
+    return a.cost > b.cost;
+  if (a.operation != b.operation)
+    return a.operation > b.operation;
+  return a.first != b.first ? a.first > b.first : a.second > b.second;
+}
+
+Step_finder::Step_finder(const Embedded_graph& graph) : graph_(graph) {
+  for (std::uint32_t v = 0; v < graph.vertices().size(); ++v)
+    look_around(v);
+}
+
+void Step_finder::push(const std::optional<Candidate>& candidate) {
+  if (candidate)
+    queue_.push(*candidate);
+}
+
+std::optional<Candidate> Step_finder::next() {
+  while (!queue_.empty()) {
+    const Candidate top = queue_.top();
+    queue_.pop();
+    const std::optional<Candidate> now = evaluate(top);
+    if (now && now->cost <= top.cost)
+      return now;
+    push(now);
+  }
+  return std::nullopt;
+}
+
+std::optional<Candidate> Step_finder::evaluate(const Candidate& candidate) const {
+  using Operation = Simplification_operation;
+  if (!graph_.edges()[candidate.first / 2].alive)
+    return std::nullopt;
+  if (candidate.operation == Operation::drop_closed_line || candidate.operation == Operation::drop_border_line)
+    return drop(candidate.first);
+  if (candidate.second == Embedded_graph::none)
+    return pair(candidate.first);
+  if (!graph_.edges()[candidate.second / 2].alive)
+    return std::nullopt;
+  return triple(candidate.first, candidate.second);
+}
+
+void Step_finder::look_around(std::uint32_t vertex) {
+  if (!graph_.vertices()[vertex].alive)
+    return;
+  const std::vector<Half_edge> star = graph_.star(vertex);
+  for (const Half_edge h : star) {
+    push(pair(h));
+    push(drop(h));
+    push(drop(h ^ 1U));
+    // three vertices, this one in the middle or at an end
+    for (const Half_edge other : star)
+      if (other != h)
+        push(triple(h, other));
+    if (const std::uint32_t middle = graph_.target(h); middle != vertex)
+      for (const Half_edge other : graph_.star(middle)) {
+        push(triple(h ^ 1U, other));
+        push(triple(other, h ^ 1U));
+      }
+  }
+}
+
+/// how much the extremality of the other family must change to take the edge's ends together; at an umbilic instead the
+/// derivative of k1 − k2 along the edge.
+double Step_finder::cost_of(std::uint32_t edge) const {
+  const Embedded_graph::Edge& e = graph_.edges()[edge];
+  const auto is_umbilic = [&](Half_edge h) { return graph_.vertices()[graph_.source(h)].half_turns != 0; };
+  if (!is_umbilic(2 * edge) && !is_umbilic(2 * edge + 1))
+    return e.extremality;
+  return e.length > 0 ? std::min(e.extremality, 4 * e.split / e.length) : 0;
+}
+
+/// no branch of the vertex is a crest line that must stay.
+bool Step_finder::all_free(std::uint32_t vertex) const {
+  const std::vector<Half_edge> star = graph_.star(vertex);
+  return std::none_of(star.begin(), star.end(), [&](Half_edge h) { return graph_.edges()[h / 2].kept; });
+}
+
+std::optional<Candidate> Step_finder::pair(Half_edge h) const {
+  using Operation = Simplification_operation;
+  h &= ~1U;
+  const std::uint32_t u = graph_.source(h), w = graph_.target(h);
+  const Embedded_graph::Vertex &x = graph_.vertices()[u], &y = graph_.vertices()[w];
+  if (u == w || x.frozen || y.frozen)
+    return std::nullopt;
+  const Indices a = indices(x), b = indices(y);
+  if (!(a + b).is_empty_or_generic())
+    return std::nullopt;
+  Candidate c{Operation::merge_vertices, cost_of(h / 2), h, Embedded_graph::none};
+  const bool generic = x.kind != Vertex_kind::non_generic && y.kind != Vertex_kind::non_generic;
+  if (generic && a + b == Indices{})
+    c.operation = a.half_turns == 0 ? Operation::cancel_extremal_points : Operation::cancel_umbilics;
+  if (c.operation == Operation::cancel_extremal_points) {
+    // The line that h is part of stays; those of the other family that cross it at its ends do not.
+    for (const std::uint32_t v : {u, w})
+      for (const Half_edge branch : graph_.star(v))
+        if (graph_.family(branch) != graph_.family(h) && graph_.edges()[branch / 2].kept)
+          return std::nullopt;
+  } else if (!all_free(u) || !all_free(w)) {
+    return std::nullopt;
+  }
+  return c;
+}
+
+std::optional<Candidate> Step_finder::triple(Half_edge first, Half_edge second) const {
+  const std::uint32_t middle = graph_.source(first), u = graph_.target(first), w = graph_.target(second);
+  if (graph_.source(second) != middle || u == middle || w == middle || u == w || first > second)
+    return std::nullopt;
+  const Embedded_graph::Vertex &x = graph_.vertices()[u], &m = graph_.vertices()[middle], &y = graph_.vertices()[w];
+  if (x.frozen || m.frozen || y.frozen)
+    return std::nullopt;
+  const Indices a = indices(x), b = indices(m), c = indices(y);
+  if ((a + b).is_empty_or_generic() || (b + c).is_empty_or_generic() || !(a + b + c).is_empty_or_generic())
+    return std::nullopt;
+  if (!all_free(u) || !all_free(middle) || !all_free(w))
+    return std::nullopt;
+  return Candidate{Simplification_operation::merge_vertices, std::max(cost_of(first / 2), cost_of(second / 2)), first,
+                   second};
+}
+
+std::optional<Candidate> Step_finder::drop(Half_edge h) const {
+  using Operation = Simplification_operation;
+  const Embedded_graph::Edge& e = graph_.edges()[h / 2];
+  const Embedded_graph::Cell& inside = graph_.cell(graph_.left_cell(h));
+  if (e.kept || !inside.is_disk_with_one_side())
+    return std::nullopt;
+  const std::uint32_t u = graph_.source(h), w = graph_.target(h);
+  Candidate c{Operation::drop_closed_line, 0, h, Embedded_graph::none};
+  if (graph_.vertices()[u].kind == Vertex_kind::boundary && graph_.vertices()[w].kind == Vertex_kind::boundary)
+    c.operation = Operation::drop_border_line;
+  else if (graph_.vertices()[u].kind != Vertex_kind::anchor || inside.touches_border)
+    return std::nullopt;
+  c.cost = height_within(e, inside);
+  return c;
+}
+
+} // namespace CGAL::Extremal_mesh_3
