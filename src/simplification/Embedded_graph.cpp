@@ -22,12 +22,11 @@ Embedded_graph::Edge measured(const Extremal_mesh_edge& e, double surface_area) 
   edge.strength = e.strength;
   edge.slope = surface_area > 0 ? e.sharpness / surface_area : 0;
   for (std::size_t i = 0; i < e.polyline.size(); ++i) {
-    edge.extremality = std::max(edge.extremality, e.extremality[i]);
-    edge.split = std::max(edge.split, (e.k1[i] - e.k2[i]) / 2);
+    edge.split = std::max(edge.split, e.k1[i] - e.k2[i]);
     if (i > 0)
-      edge.mean_extremality +=
-          distance(e.polyline[i - 1], e.polyline[i]) * (e.extremality[i - 1] + e.extremality[i]) / 2;
+      edge.extremality += distance(e.polyline[i - 1], e.polyline[i]) * (e.extremality[i - 1] + e.extremality[i]) / 2;
   }
+  edge.difference = edge.extremality;
   return edge;
 }
 
@@ -177,8 +176,7 @@ void Embedded_graph::contract(Half_edge h) {
     e.length += along.length;
     e.strength += along.strength;
     e.slope += along.slope;
-    e.mean_extremality += along.mean_extremality;
-    e.extremality = std::max(e.extremality, along.extremality);
+    e.extremality += along.extremality;
     e.split = std::max(e.split, along.split);
   }
   remove_side(h);
@@ -209,7 +207,7 @@ void Embedded_graph::contract(Half_edge h) {
   kill_vertex(w);
 }
 
-Half_edge Embedded_graph::add_edge(Half_edge a, Half_edge b) {
+Half_edge Embedded_graph::add_edge(Half_edge a, Half_edge b, double difference) {
   const Edge &x = edges_[a / 2], &y = edges_[b / 2];
   Edge e{};
   e.family = x.family;
@@ -219,8 +217,8 @@ Half_edge Embedded_graph::add_edge(Half_edge a, Half_edge b) {
   e.length = x.length + y.length;
   e.strength = x.strength + y.strength;
   e.slope = x.slope + y.slope;
-  e.mean_extremality = x.mean_extremality + y.mean_extremality;
-  e.extremality = std::max(x.extremality, y.extremality);
+  e.extremality = x.extremality + y.extremality;
+  e.difference = difference;
   e.split = std::max(x.split, y.split);
   const Half_edge h = Half_edge(2 * edges_.size());
   edges_.push_back(e);
@@ -230,7 +228,7 @@ Half_edge Embedded_graph::add_edge(Half_edge a, Half_edge b) {
   return h;
 }
 
-Half_edge Embedded_graph::detach(Half_edge a, Half_edge b) {
+Half_edge Embedded_graph::detach(Half_edge a, Half_edge b, double difference) {
   const std::uint32_t v = source(a);
   const std::uint32_t between = left_cell(a), right = left_cell(a ^ 1U), left = left_cell(b);
   Half_edge h = a;
@@ -246,7 +244,7 @@ Half_edge Embedded_graph::detach(Half_edge a, Half_edge b) {
   } else {
     for (const Half_edge x : {a, a ^ 1U, b, b ^ 1U})
       remove_side(x);
-    h = add_edge(a, b);
+    h = add_edge(a, b, difference);
     remove_from_star(a);
     remove_from_star(b);
     replace_in_star(a ^ 1U, h);
@@ -272,13 +270,13 @@ void Embedded_graph::remove_loop(Half_edge h) {
   merge_cells(outside, inside, cells_[outside].euler_characteristic + cells_[inside].euler_characteristic - 1);
 }
 
-void Embedded_graph::dissolve(std::uint32_t v) {
+void Embedded_graph::dissolve(std::uint32_t v, double difference) {
   const Half_edge a = vertices_[v].first, b = next_[a];
   if (a == (b ^ 1U)) {
     vertices_[v].kind = Vertex_kind::anchor;
     return;
   }
-  detach(a, b);
+  detach(a, b, difference);
   kill_vertex(v);
 }
 

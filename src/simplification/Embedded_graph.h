@@ -35,9 +35,9 @@ public:
     Walks::Walk walk;          ///< from the source of half-edge 2e to its target
     double length, strength;
     double slope;              ///< ∫|∇e_i·t_i| ds
-    double extremality;        ///< the greatest |e_j| of the other family
-    double mean_extremality;   ///< ∫|e_j| ds; divided by the length the mean
-    double split;              ///< the greatest (k1 − k2)/2
+    double extremality;        ///< ∫|e_j| ds of the other family
+    double difference;         ///< the same, but what was cancelled does not count: see Simplifier
+    double split;              ///< the greatest k1 − k2
   };
   struct Cell {
     int sign, euler_characteristic;
@@ -81,8 +81,9 @@ public:
   void contract(Half_edge h);
   /// makes one line of the branches `a` and `b = next(a)` of a vertex, which passes it by on the side of the cell between
   /// them. The cells on the two other sides are joined. A loop becomes a closed line with an anchor.
+  /// \param difference  of the line, unless it is a loop
   /// \return the half-edge along a backwards, then b
-  Half_edge detach(Half_edge a, Half_edge b);
+  Half_edge detach(Half_edge a, Half_edge b, double difference);
   /// removes the loop `h`, whose left cell is a disk without other sides.
   void remove_loop(Half_edge h);
   /// makes a vertex an extremal point or an umbilic, as its indices say.
@@ -90,7 +91,7 @@ public:
     vertices_[v].kind = vertices_[v].half_turns == 0 ? Vertex_kind::extremal_point : Vertex_kind::umbilic;
   }
   /// makes one line of the two branches of a vertex that is no more. If they are one loop, it becomes an anchor.
-  void dissolve(std::uint32_t v);
+  void dissolve(std::uint32_t v, double difference);
   /// removes a closed line with its anchor; the cell on the left of `h`, a disk, becomes part of that on its right.
   void drop_closed_line(Half_edge h);
   /// removes a line from border to border with both its ends; the cell on the left becomes part of that on the right.
@@ -106,7 +107,7 @@ private:
   void kill_edge(std::uint32_t e);
   void kill_vertex(std::uint32_t v);
   void merge_cells(std::uint32_t kept, std::uint32_t other, int euler_characteristic);
-  Half_edge add_edge(Half_edge a, Half_edge b);
+  Half_edge add_edge(Half_edge a, Half_edge b, double difference);
   void unlink_from_border(std::uint32_t v);
 
   std::vector<Vertex> vertices_;

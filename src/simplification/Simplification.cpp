@@ -81,7 +81,7 @@ void Simplification::Data::find_steps() {
     return mesh.vertex(mesh.source(h)).point;
   };
   while (const std::optional<Candidate> next = finder.next()) {
-    persistence = std::max(persistence, mesh.surface().area * next->cost);
+    persistence = std::max(persistence, std::sqrt(mesh.surface().area) * next->cost);
     Simplification_step step{next->operation, persistence, place(graph.source(next->first)), {}, 0, 0, 0};
     std::vector<std::uint32_t> involved = {graph.source(next->first), graph.target(next->first)};
     if (next->second != Embedded_graph::none)
@@ -152,14 +152,12 @@ std::size_t Simplification::level_of_vertices(std::size_t vertices) const {
 
 std::size_t Simplification::level_at_gap() const {
   std::size_t level = 0;
-  double greatest = 1;
-  for (std::size_t i = 0; i + 1 < steps().size(); ++i) {
-    const double ratio = steps()[i].persistence > 0 ? steps()[i + 1].persistence / steps()[i].persistence : 1;
-    if (ratio > greatest) {
-      greatest = ratio;
-      level = i + 1;
+  double greatest = 0, before = 0;
+  for (std::size_t i = 0; i < steps().size(); before = steps()[i++].persistence)
+    if (steps()[i].persistence - before > greatest) {
+      greatest = steps()[i].persistence - before;
+      level = i;
     }
-  }
   return level;
 }
 

@@ -11,18 +11,19 @@ namespace CGAL::Extremal_mesh_3 {
 
 namespace {
 
-/// how far the extremality that is 0 on a line gets from it on the disk within, or beyond it at the border. It is estimated
-/// from the slope at the line (a paraboloid over a disk of that area) and, as that says nothing of a large disk
+/// by how much k_i differs between a line of its extrema and the middle of the disk within (or beyond it at the border).
+/// It is estimated from the slope of e_i at the line (a paraboloid over a disk of that area) and, as that says nothing of a large disk
 /// with a rough border, from the mean of √|E_g| inside.
-double height_within(const Embedded_graph::Edge& line, const Embedded_graph::Cell& disk) {
+double difference_within(const Embedded_graph::Edge& line, const Embedded_graph::Cell& disk) {
   if (!(line.length > 0 && disk.area > 0))
     return 0;
   // The slope is that along a line of curvature: 2/π of the whole in the mean over all directions.
   const double slope = std::numbers::pi / 2 * line.slope / line.length, radius = 2 * disk.area / line.length;
-  const double from_slope = slope * radius / 2;
-  const double mean_root = disk.weight / disk.area, other = line.mean_extremality / line.length;
-  // √(1 − r²) has the mean 2/3 over the unit disk.
-  return other > 0 ? std::min(from_slope, 9.0 / 4 * mean_root * mean_root / other) : from_slope;
+  double height = slope * radius / 2; // of e_i = height·(1 − r²/radius²)
+  const double mean_root = disk.weight / disk.area, other = line.extremality / line.length;
+  if (other > 0) // √(1 − r²) has the mean 2/3 over the unit disk
+    height = std::min(height, 9.0 / 4 * mean_root * mean_root / other);
+  return 2.0 / 3 * height * radius;
 }
 
 } // namespace
@@ -42,10 +43,12 @@ void Simplifier::apply(const Candidate& step) {
     return;
   }
   const std::uint32_t v = graph_.source(h);
+  const Contracted contracted = {step.operation == Operation::cancel_extremal_points ? graph_.family(h) : 0,
+                                 step.operation == Operation::cancel_umbilics, graph_.edges()[h / 2].difference};
   graph_.contract(h);
   if (step.second != Embedded_graph::none)
     graph_.contract(step.second);
-  reduce(v);
+  reduce(v, contracted);
 }
 
 void Simplifier::touch_ends_of_star(std::uint32_t v) {
@@ -58,7 +61,16 @@ void Simplifier::touch_ends_of_star(std::uint32_t v) {
   }
 }
 
-void Simplifier::reduce(std::uint32_t v) {
+double Simplifier::difference(Half_edge a, Half_edge b, const Contracted& contracted) const {
+  const double x = graph_.edges()[a / 2].difference, y = graph_.edges()[b / 2].difference;
+  if (contracted.umbilics)
+    return x + y;
+  // On the line of which the contracted edge was part, k_j went up, down and up again: the way down no longer counts.
+  // The lines of the other family turned away from it on both sides; they go down as far as they go up.
+  return contracted.family == graph_.family(a) ? std::max({x, y, x + y - contracted.difference}) : std::max(x, y);
+}
+
+void Simplifier::reduce(std::uint32_t v, const Contracted& contracted) {
   const auto degree = [&] { return graph_.vertices()[v].degree; };
   const auto removable_loop = [&]() -> Half_edge {
     for (const Half_edge h : graph_.star(v))
@@ -87,7 +99,8 @@ void Simplifier::reduce(std::uint32_t v) {
         least = strength;
       }
     }
-    const Half_edge line = graph_.detach(best, graph_.next(best));
+    const Half_edge other = graph_.next(best);
+    const Half_edge line = graph_.detach(best, other, difference(best, other, contracted));
     for (const Half_edge h : {line, line ^ 1U}) {
       touched.push_back(graph_.source(h));
       if (const Embedded_graph::Cell& c = graph_.cell(graph_.left_cell(h)); c.is_disk_with_one_side())
@@ -96,7 +109,8 @@ void Simplifier::reduce(std::uint32_t v) {
   }
   touch_ends_of_star(v);
   if (sum == Indices{}) {
-    graph_.dissolve(v);
+    const Half_edge a = graph_.vertices()[v].first;
+    graph_.dissolve(v, difference(a, graph_.next(a), contracted));
     return;
   }
   graph_.become_generic(v);
@@ -167,14 +181,11 @@ void Step_finder::look_around(std::uint32_t vertex) {
   }
 }
 
-/// how much the extremality of the other family must change to take the edge's ends together; at an umbilic instead the
-/// derivative of k1 − k2 along the edge.
+/// by how much k_j, or k1 − k2 where that is less, must change along an edge to take its ends together.
 double Step_finder::cost_of(std::uint32_t edge) const {
   const Embedded_graph::Edge& e = graph_.edges()[edge];
   const auto is_umbilic = [&](Half_edge h) { return graph_.vertices()[graph_.source(h)].half_turns != 0; };
-  if (!is_umbilic(2 * edge) && !is_umbilic(2 * edge + 1))
-    return e.extremality;
-  return e.length > 0 ? std::min(e.extremality, 4 * e.split / e.length) : 0;
+  return is_umbilic(2 * edge) || is_umbilic(2 * edge + 1) ? std::min(e.difference, e.split) : e.difference;
 }
 
 /// no branch of the vertex is a crest line that must stay.
@@ -237,7 +248,7 @@ std::optional<Candidate> Step_finder::drop(Half_edge h) const {
     c.operation = Operation::drop_border_line;
   else if (graph_.vertices()[u].kind != Vertex_kind::anchor || inside.touches_border)
     return std::nullopt;
-  c.cost = height_within(e, inside);
+  c.cost = difference_within(e, inside);
   return c;
 }
 

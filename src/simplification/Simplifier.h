@@ -20,7 +20,7 @@ namespace CGAL::Extremal_mesh_3 {
 /// then be detached as one line until as many are left as the sum of the indices wants.
 struct Candidate {
   Simplification_operation operation{};
-  double cost = 0; ///< in 1/length²
+  double cost = 0; ///< a difference of curvatures, in 1/length
   /// the edges that are contracted into the source of `first` (`second` none but when three vertices are merged), or
   /// the line that is dropped, with what vanishes on its left
   Half_edge first = Embedded_graph::none, second = Embedded_graph::none;
@@ -41,7 +41,14 @@ public:
   std::vector<std::uint32_t> touched;
 
 private:
-  void reduce(std::uint32_t v);
+  /// how k_j changes along the line that two branches become.
+  struct Contracted {
+    int family;      ///< of the edge between two extremal points; 0 if it was something else
+    bool umbilics;   ///< the edge joined two umbilics
+    double difference;
+  };
+  void reduce(std::uint32_t v, const Contracted& contracted);
+  double difference(Half_edge a, Half_edge b, const Contracted& contracted) const;
   void touch_ends_of_star(std::uint32_t v);
 
   Embedded_graph graph_;

@@ -29,8 +29,8 @@ std::string_view to_string(Simplification_operation);
 /// One step of a simplification.
 struct Simplification_step {
   Simplification_operation operation = Simplification_operation::cancel_extremal_points;
-  /// how far the extremalities must change for it, times the area of the surface (no unit); it never falls from a step
-  /// to the next
+  /// by how much a principal curvature must change for it, times the square root of the surface's area (no unit); it
+  /// never falls from a step to the next
   double persistence = 0;
   Point point{};                       ///< where it happens
   std::vector<std::uint32_t> vanished; ///< vertices of the unsimplified mesh that are no more
@@ -68,8 +68,8 @@ public:
   std::size_t level_of_cells(std::size_t cells) const;
   /// the first level with at most so many vertices; the last level if there is none.
   std::size_t level_of_vertices(std::size_t vertices) const;
-  /// the level before the greatest jump in persistence (as a ratio of neighbours), where noise ends and shape begins, if
-  /// there is such an end.
+  /// the level before the greatest rise of the persistence from a step to the next, counted from 0: where noise ends and
+  /// shape begins, if there is such an end.
   std::size_t level_at_gap() const;
   /// @}
 
