@@ -4,7 +4,9 @@
 // Surfaces as OFF. Colours stand behind the corners of a face, as integers, under the header OFF: so CGAL, Geomview,
 // MeshLab and meshio read them or pass over them. (OpenMesh 9 expects such colours under the header COFF only, which to
 // the others means colours of vertices.) There are no comments, which some readers do not know.
+#include "../algorithms/patches.h"
 #include "Off_file.h"
+#include "cell_colours.h"
 
 #include <CGAL/Extremal_mesh_3/io.h>
 
@@ -26,7 +28,7 @@ void append_corners(const Extremal_mesh& mesh, Half_edge h, const std::vector<st
 
 } // namespace
 
-void write_off(const std::string& file, const Extremal_mesh& mesh) {
+void write_off(const std::string& file, const Extremal_mesh& mesh, Cell_colouring colouring) {
   std::vector<std::uint32_t> first_inner(mesh.number_of_edges());
   std::size_t number_of_points = mesh.number_of_vertices();
   for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
@@ -34,8 +36,9 @@ void write_off(const std::string& file, const Extremal_mesh& mesh) {
     number_of_points += mesh.edge(e).polyline.size() - 2;
   }
   std::vector<std::vector<std::uint32_t>> polygons;
-  std::vector<int> signs;
-  for (const Extremal_mesh_cell& cell : mesh.cells()) {
+  std::vector<std::size_t> cells;
+  for (std::size_t c = 0; c < mesh.number_of_cells(); ++c) {
+    const Extremal_mesh_cell& cell = mesh.cell(c);
     if (cell.euler_characteristic != 1 || cell.boundary.size() != 1)
       continue;
     std::vector<std::uint32_t> corners;
@@ -48,9 +51,10 @@ void write_off(const std::string& file, const Extremal_mesh& mesh) {
     if (corners.size() < 3)
       continue;
     polygons.push_back(std::move(corners));
-    signs.push_back(cell.sign);
+    cells.push_back(c);
   }
 
+  const std::vector<Colour> colours = cell_colours(mesh, colouring);
   Off_file out(file, number_of_points, polygons.size());
   for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
     out.add_point(mesh.vertex(v).point);
@@ -60,18 +64,19 @@ void write_off(const std::string& file, const Extremal_mesh& mesh) {
       out.add_point(line[i]);
   }
   for (std::size_t i = 0; i < polygons.size(); ++i)
-    out.add_polygon(polygons[i], cell_colour(signs[i]));
+    out.add_polygon(polygons[i], colours[cells[i]]);
   out.commit();
 }
 
-void write_off(const std::string& file, const Cell_patches& patches, const Extremal_mesh& mesh) {
+void write_off(const std::string& file, const Cell_patches& patches, const Extremal_mesh& mesh,
+               Cell_colouring colouring) {
+  require_patches_of(mesh, patches);
+  const std::vector<Colour> colours = cell_colours(mesh, colouring);
   Off_file out(file, patches.points.size(), patches.cell.size());
   for (const Point& p : patches.points)
     out.add_point(p);
-  const std::span<const std::uint32_t> corners = patches.corners;
   for (std::size_t i = 0; i < patches.cell.size(); ++i)
-    out.add_polygon(corners.subspan(patches.begin[i], patches.begin[i + 1] - patches.begin[i]),
-                    cell_colour(mesh.cell(patches.cell[i]).sign));
+    out.add_polygon(polygon(patches, i), colours[patches.cell[i]]);
   out.commit();
 }
 

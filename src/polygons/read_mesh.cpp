@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Extremal_mesh_3/read_mesh.h>
 
+#include "file_content.h"
 #include "repair.h"
 #include "soup_readers.h"
 #include "weld.h"
@@ -13,8 +14,6 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <new>
 #include <stdexcept>
 
 namespace CGAL::Extremal_mesh_3 {
@@ -36,27 +35,6 @@ const Format* format_of(const std::string& file) {
   const auto* found =
       std::find_if(formats.begin(), formats.end(), [&](const Format& format) { return format.extension == extension; });
   return found == formats.end() ? nullptr : found;
-}
-
-std::string content_of(const std::string& file) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status))
-    throw std::runtime_error("it does not exist");
-  if (std::filesystem::is_directory(status))
-    throw std::runtime_error("it is a folder");
-  if (!std::filesystem::is_regular_file(status))
-    throw std::runtime_error("it is not a regular file");
-  std::ifstream stream(file, std::ios::binary);
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (!stream || error)
-    throw std::runtime_error("it cannot be opened");
-  if (size == 0)
-    throw std::runtime_error("it is empty");
-  std::string content(size, '\0');
-  stream.read(content.data(), std::streamsize(size));
-  content.resize(std::size_t(stream.gcount())); // it may have become shorter
-  return content;
 }
 
 /// With larger ones, sums of products of coordinates would not be finite any more.
@@ -90,20 +68,6 @@ double weld_tolerance(const Format& format, const Polygon_soup& soup, const Mesh
                     "hundredth of its size",
                     *options.weld_tolerance, most));
   return *options.weld_tolerance;
-}
-
-/// does something with a file; what is wrong becomes an `Io_error`.
-template <typename Action> auto with_name_in_errors(const std::string& file, const Action& action) {
-  try {
-    return action();
-  } catch (const std::bad_alloc&) {
-    throw Io_error(fmt::format("cannot read '{}': it is larger than memory", file));
-  } catch (const std::exception& error) {
-    std::string message = error.what(); // may quote the file, with anything in it
-    std::replace_if(
-        message.begin(), message.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
-    throw Io_error(fmt::format("cannot read '{}': {}", file, message));
-  }
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #define CGAL_EXTREMAL_MESH_3_IO_H
 
 #include <CGAL/Extremal_mesh_3/Extremal_mesh.h>
+#include <CGAL/Extremal_mesh_3/cell_patches.h>
 #include <CGAL/Extremal_mesh_3/errors.h>
 #include <CGAL/Extremal_mesh_3/extract_extremal_mesh.h>
 
@@ -26,19 +27,32 @@ void write_graphml(const std::string& file, const Extremal_mesh& mesh);
 /// \throws Io_error naming the file, the element and what was expected
 Extremal_mesh read_graphml(const std::string& file);
 
-/// writes the cells that are disks as polygons whose corners are the mesh's vertices and polyline points, coloured by
-/// the sign of E_g, as OFF.
+/// writes the cells that are disks as coloured polygons whose corners are the mesh's vertices and polyline points, as OFF.
 /// \throws Io_error
-void write_off(const std::string& file, const Extremal_mesh& mesh);
+void write_off(const std::string& file, const Extremal_mesh& mesh, Cell_colouring colouring = Cell_colouring::sign);
 
 /// writes the lines as thin tubes coloured by type, as OFF.
 /// \throws Io_error
 /// \param radius  of the tubes; 0 chooses one from the size of the mesh
 void write_lines_off(const std::string& file, const Extremal_mesh& mesh, double radius = 0);
 
-/// writes the surface cut along the lines, each polygon coloured by the sign of E_g in its cell, as OFF.
+/// writes the surface cut along the lines, each polygon in the colour of its cell, as OFF.
 /// \throws Io_error
-void write_off(const std::string& file, const Cell_patches& patches, const Extremal_mesh& mesh);
+///         std::invalid_argument if a polygon is in a cell that the mesh does not have
+void write_off(const std::string& file, const Cell_patches& patches, const Extremal_mesh& mesh,
+               Cell_colouring colouring = Cell_colouring::sign);
+
+/// writes the surface cut along the lines as binary PLY: points with normals, polygons with their colour and the number of
+/// their cell, a comment with the frame.
+/// \throws Io_error
+///         std::invalid_argument if a polygon is in a cell that the mesh does not have
+void write_ply(const std::string& file, const Cell_patches& patches, const Extremal_mesh& mesh,
+               Cell_colouring colouring = Cell_colouring::sign);
+
+/// reads what `write_ply()` wrote, bit for bit, also if another program has written it again (as text or binary) and
+/// kept the normals and the property `cell` of faces. O(size of the file).
+/// \throws Io_error naming the file, the place in it and what was expected
+Cell_patches read_cell_patches(const std::string& file);
 
 /// writes a text as a file that appears whole or not at all.
 /// \throws Io_error
