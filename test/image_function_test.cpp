@@ -258,6 +258,33 @@ TEST(Image_function, has_continuous_fourth_derivatives) {
   }
 }
 
+TEST(Image_function, puts_nodes_between_slices_that_are_too_far_apart) {
+  // A Gaussian of width s, smoothed, is one of width √(s² + σ²); slices are 1.5 σ apart.
+  const double s = 3, sigma = 1, width = std::sqrt(s * s + sigma * sigma);
+  const auto blob = [](double x, double w) { return std::exp(-x * x / (2 * w * w)) / w; };
+  for (const std::size_t axis : {0U, 1U, 2U}) {
+    Lattice lattice = centred({{{0.9, 0, 0}, {0, 0.9, 0}, {0, 0, 0.9}}}, {41, 41, 41});
+    lattice.step[axis][axis] = 1.5;
+    lattice.size[axis] = 25;
+    lattice.origin[axis] = -18;
+    Image_function_options options = options_with(sigma);
+    options.iso = 0.001;
+    const Image_function f(sampled(lattice, [&](const Point& p) { return blob(p[0], s) * blob(p[1], s) * blob(p[2], s); }),
+                           options);
+    EXPECT_EQ(f.lattice().size[axis], 49U);
+    for (const Point& p : {Point{0.3, 0.2, 1.1}, Point{-2.3, 1.9, 0.4}, Point{1.2, -3.1, -2.2}}) {
+      const Derivatives d = derivatives(f, p);
+      const double g = blob(p[0], width) * blob(p[1], width) * blob(p[2], width), w2 = width * width;
+      EXPECT_NEAR(d.value, options.iso - g, 5e-4 * g); // the cubic spline: h⁴ max|g⁗|/384, h = s/2
+      const double x = p[axis];
+      EXPECT_NEAR(d.gradient[axis], g * x / w2, 1e-3 * g / width);
+      const double third = g * (x * x * x / (w2 * w2 * w2) - 3 * x / (w2 * w2));
+      const double found = d.third[axis == 0 ? 0 : axis == 1 ? 6 : 9];
+      EXPECT_NEAR(found, third, 0.02 * g / (w2 * width));
+    }
+  }
+}
+
 TEST(Image_function, is_negative_inside_bright_regions) {
   const Image image = sampled(cubic_lattice(32), [](const Point& p) {
     return std::hypot(p[0] - 15.5, p[1] - 15.5, p[2] - 15.5) < 9 ? 100 : 0;
@@ -381,9 +408,9 @@ TEST(Image_function, refuses_what_it_cannot_use) {
   const auto refuses = [](const Image& image, const Image_function_options& options) {
     EXPECT_THROW(Image_function(image, options), std::invalid_argument);
   };
-  for (double sigma : {-1.0, 0.5, 0.89, 9.0, nan})
+  for (double sigma : {-1.0, 0.2, 0.44, 9.0, nan})
     refuses(good, options_with(sigma));
-  EXPECT_NO_THROW(Image_function(good, options_with(0.9)));
+  EXPECT_NO_THROW(Image_function(good, options_with(0.45)));
   refuses(good, options_with(1.5, 6));
   Image_function_options options;
   options.iso = nan;
@@ -413,10 +440,10 @@ TEST(Image_function, refuses_what_it_cannot_use) {
 TEST(Image_function, names_the_smallest_sigma_that_works) {
   const Image image = noise({{0, 0, 0}, {{{3.2, 0, 0}, {0, 3.2, 0}, {0, 0, 1.5}}}, {8, 8, 8}});
   try {
-    const Image_function f(image, options_with(1.5));
+    const Image_function f(image, options_with(1.4));
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("at least 2.88 mm"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("at least 1.44 mm"), std::string::npos) << error.what();
   }
 }
 

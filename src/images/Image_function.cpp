@@ -3,6 +3,7 @@
 #include <CGAL/Extremal_mesh_3/Image_function.h>
 
 #include "change_of_coordinates.h"
+#include "halve_spacing.h"
 #include "node_values.h"
 #include "smoothing.h"
 #include "spline.h"
@@ -36,8 +37,10 @@ struct Image_function::Implementation {
 
 namespace {
 
-// Below this many voxels the sampled Gaussian is not the continuous one any more: its derivatives are off by a fifth.
-constexpr double least_sigma = 0.9;
+// Below this many voxels the sampled Gaussian is not the continuous one any more: its derivatives are off by a fifth. Then
+// nodes are put between the voxels, once.
+constexpr double least_sigma_of_nodes = 0.9;
+constexpr double least_sigma = least_sigma_of_nodes / 2;
 constexpr double least_sigma_for_degree_5 = 1.2;
 constexpr double rounding = 1e-9; // so that σ = 0.9·spacing passes
 
@@ -114,23 +117,32 @@ template <std::size_t N> void fill_with_nan(std::array<double, N>& values) {
 Image_function::Image_function(const Image& image, const Image_function_options& options)
     : Image_function(Image(image), options) {}
 
+namespace {
+
+Vector spacing_of(const Lattice& lattice) {
+  return {length(lattice.step[0]), length(lattice.step[1]), length(lattice.step[2])};
+}
+
+} // namespace
+
 Image_function::Image_function(Image&& image, const Image_function_options& options)
     : implementation_(std::make_unique<Implementation>()) {
   check_options(options);
   check_image(image);
-  const std::optional<Matrix> to_lattice = inverse_of_columns(image.lattice.step);
-  if (!to_lattice)
+  if (!inverse_of_columns(image.lattice.step))
     throw std::invalid_argument("the steps of the image's lattice are not three independent finite vectors");
-  Vector spacing;
-  for (std::size_t a = 0; a < 3; ++a)
-    spacing[a] = length(image.lattice.step[a]);
+  Vector spacing = spacing_of(image.lattice);
   const double sigma = options.sigma > 0 ? options.sigma : std::max({spacing[0], spacing[1], spacing[2]});
   check_sigma(sigma, spacing, image.lattice.size);
   check_iso(options.iso, image.voxels);
+  for (std::size_t a = 0; a < 3; ++a)
+    if (sigma < least_sigma_of_nodes * spacing[a] * (1 - rounding))
+      halve_spacing(image, a);
+  spacing = spacing_of(image.lattice);
 
   Implementation& self = *implementation_;
   self.lattice = image.lattice;
-  self.to_lattice = *to_lattice;
+  self.to_lattice = *inverse_of_columns(image.lattice.step);
   self.iso = options.iso;
   self.sigma = sigma;
   self.degree = options.degree;

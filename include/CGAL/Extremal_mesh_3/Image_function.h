@@ -27,6 +27,8 @@ struct Image_function_options {
 ///
 /// Between the nodes f follows the image convolved with the continuous Gaussian; its third derivatives differ from that
 /// one's by (degree 5; 7) 10 %; 6 % for edges at σ = 1 voxel, 2 %; 0.3 % at 1.5, and 0.6 %; 0.04 % at 2.
+/// On an axis with σ below 0.9 voxels, where the lattice is too coarse for derivatives of such a Gaussian, the image is
+/// first given nodes half way between the voxels, by the cubic spline through them.
 /// The image is continued by its border values, and so is the spline by its coefficients: closer than about 3 voxels
 /// to the border f is a blend of both. σ is the same in mm along the three axes of the lattice; it is isotropic if they
 /// are perpendicular, as they are in medical images. Values are stored as float, which limits them to about 7 digits.
@@ -34,22 +36,23 @@ class Image_function : public Function_3 {
 public:
   /// \throws std::invalid_argument if an option or the image is not as it should be: sizes that do not agree, a voxel
   /// or a step that is not
-  ///         finite, dependent steps; σ below 0.9 voxels on an axis (the lattice is then too coarse for the
-  ///         derivatives; the message names the smallest σ that works) or larger than the image
+  ///         finite, dependent steps; σ below 0.45 voxels on an axis (the surface would show the interpolation, not the
+  ///         image; the message names the smallest σ that works) or larger than the image
   /// \throws Extraction_error if iso is outside the range of the image's values
   /// \throws Cancelled when progress asks for it
   Image_function(const Image& image, const Image_function_options& options);
-  /// smooths the voxels of `image` in place: no second volume is needed.
+  /// smooths the voxels of `image` in place: no second volume is needed, unless σ asks for nodes between the voxels.
   Image_function(Image&& image, const Image_function_options& options);
   ~Image_function() override;
   Image_function(Image_function&&) noexcept;
 
   double value(const Point& p) const override;
   void derivatives(const Point& p, int order, Derivatives& d) const override;
-  /// On the image's own lattice this takes a few ns per node.
+  /// On `lattice()` this takes a few ns per node.
   void lattice_values(const Lattice& lattice, std::size_t k, double* out) const override;
 
-  /// the image's own lattice, the natural one for `make_implicit_cells()`.
+  /// the image's own lattice, the natural one for `make_implicit_cells()`; on an axis with σ below 0.9 voxels with
+  /// nodes half way between the voxels, too.
   const Lattice& lattice() const;
   double sigma() const; ///< the σ used, in mm
   int degree() const;   ///< the degree of the spline used
