@@ -79,6 +79,17 @@ void Canvas::triangle(const Corner& a, const Corner& b, const Corner& c, const C
     }
 }
 
+void Canvas::rectangle(const Screen_point& upper_left, const Screen_point& lower_right, const Colour& colour) {
+  const Box box = clip(upper_left.x, lower_right.x, upper_left.y, lower_right.y);
+  const auto z = float(upper_left.z);
+  for (int y = box.top; y <= box.bottom; ++y)
+    for (int x = box.left; x <= box.right; ++x)
+      if (const std::size_t i = index(x, y); z < depth_[i]) {
+        depth_[i] = z;
+        colour_[i] = colour;
+      }
+}
+
 void Canvas::stroke(const Screen_point& a, const Screen_point& b, double radius, double bias, const Colour& colour) {
   const Box box = clip(std::min(a.x, b.x) - radius, std::max(a.x, b.x) + radius, std::min(a.y, b.y) - radius,
                        std::max(a.y, b.y) + radius);

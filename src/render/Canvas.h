@@ -33,6 +33,8 @@ public:
 
   /// draws a shaded triangle.
   void triangle(const Corner& a, const Corner& b, const Corner& c, const Colour& tint);
+  /// fills a rectangle, all of it at the depth of its upper left corner.
+  void rectangle(const Screen_point& upper_left, const Screen_point& lower_right, const Colour& colour);
   /// draws a line with round ends.
   /// \param bias  by how many samples it stands in front of where it is
   void stroke(const Screen_point& a, const Screen_point& b, double radius, double bias, const Colour& colour);

@@ -1,8 +1,6 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Picture.h"
-
-#include "../io/colours.h"
+#include "lettering.h"
 
 #include <algorithm>
 #include <array>
@@ -12,40 +10,6 @@
 namespace CGAL::Extremal_mesh_3 {
 
 namespace {
-
-constexpr int glyph_width = 5, glyph_height = 8;
-
-/// The letters a to z as dots: a byte per column, the lowest bit on top.
-constexpr std::array<std::array<std::uint8_t, glyph_width>, 26> letters = {{
-    {0x20, 0x54, 0x54, 0x54, 0x78}, {0x7F, 0x48, 0x44, 0x44, 0x38}, {0x38, 0x44, 0x44, 0x44, 0x20},
-    {0x38, 0x44, 0x44, 0x48, 0x7F}, {0x38, 0x54, 0x54, 0x54, 0x18}, {0x08, 0x7E, 0x09, 0x01, 0x02},
-    {0x18, 0xA4, 0xA4, 0xA4, 0x7C}, {0x7F, 0x08, 0x04, 0x04, 0x78}, {0x00, 0x44, 0x7D, 0x40, 0x00},
-    {0x40, 0x80, 0x84, 0x7D, 0x00}, {0x7F, 0x10, 0x28, 0x44, 0x00}, {0x00, 0x41, 0x7F, 0x40, 0x00},
-    {0x7C, 0x04, 0x18, 0x04, 0x78}, {0x7C, 0x08, 0x04, 0x04, 0x78}, {0x38, 0x44, 0x44, 0x44, 0x38},
-    {0xFC, 0x24, 0x24, 0x24, 0x18}, {0x18, 0x24, 0x24, 0x18, 0xFC}, {0x7C, 0x08, 0x04, 0x04, 0x08},
-    {0x48, 0x54, 0x54, 0x54, 0x20}, {0x04, 0x3F, 0x44, 0x40, 0x20}, {0x3C, 0x40, 0x40, 0x20, 0x7C},
-    {0x1C, 0x20, 0x40, 0x20, 0x1C}, {0x3C, 0x40, 0x30, 0x40, 0x3C}, {0x44, 0x28, 0x10, 0x28, 0x44},
-    {0x1C, 0xA0, 0xA0, 0xA0, 0x7C}, {0x44, 0x64, 0x54, 0x4C, 0x44},
-}};
-
-constexpr Colour ink{60, 64, 72};
-
-void fill(Picture& picture, int x, int y, int width, int height, const Colour& colour) {
-  for (int j = y; j < y + height; ++j)
-    for (int i = x; i < x + width; ++i)
-      std::copy(colour.begin(), colour.end(), picture.pixel(i, j));
-}
-
-void write(Picture& picture, int x, int y, std::string_view text, int scale) {
-  for (const char c : text) {
-    if (c >= 'a' && c <= 'z')
-      for (int i = 0; i < glyph_width; ++i)
-        for (int j = 0; j < glyph_height; ++j)
-          if (letters[std::size_t(c - 'a')][std::size_t(i)] >> j & 1)
-            fill(picture, x + i * scale, y + j * scale, scale, scale, ink);
-    x += (glyph_width + 1) * scale;
-  }
-}
 
 struct Entry {
   std::string_view text;
@@ -95,10 +59,10 @@ std::vector<Entry> entries_for(const Extremal_mesh& mesh) {
 void draw_legend(Picture& picture, const Extremal_mesh& mesh) {
   const std::vector<Entry> entries = entries_for(mesh);
   const int scale = picture.width() >= 1200 ? 2 : 1;
-  const int row = 12 * scale, margin = 10 * scale, swatch = 18 * scale, text_width = 14 * (glyph_width + 1) * scale;
+  const int row = 12 * scale, margin = 10 * scale, swatch = 18 * scale, longest = 14 * text_width("m", scale);
   int y = picture.height() - margin - row * int(entries.size());
   // a legend on more than a quarter of the picture would hide what it explains
-  if (4 * (2 * margin + swatch + text_width) > 2 * picture.width() || 2 * y < picture.height())
+  if (4 * (2 * margin + swatch + longest) > 2 * picture.width() || 2 * y < picture.height())
     return;
   for (const Entry& entry : entries) {
     const int middle = y + row / 2;
@@ -106,7 +70,7 @@ void draw_legend(Picture& picture, const Extremal_mesh& mesh) {
       fill(picture, margin, middle - scale, swatch, 2 * scale, entry.colour);
     else
       fill(picture, margin + swatch / 2 - 3 * scale, middle - 3 * scale, 6 * scale, 6 * scale, entry.colour);
-    write(picture, margin + swatch + 6 * scale, middle - 4 * scale, entry.text, scale);
+    write_text(picture, margin + swatch + 6 * scale, middle - 4 * scale, entry.text, scale);
     y += row;
   }
 }
