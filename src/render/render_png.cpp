@@ -6,6 +6,7 @@
 
 #include "../cells/parallel.h"
 #include "../differential/vector.h"
+#include "../io/cell_colours.h"
 #include "Camera.h"
 #include "Canvas.h"
 #include "Picture.h"
@@ -55,7 +56,8 @@ public:
   Scene(const Extremal_mesh& mesh, const Cell_patches& patches, const Render_options& options)
       : mesh_(mesh), patches_(patches), options_(options), camera_(mesh, patches, options, Canvas::samples),
         line_width_(Canvas::samples * size_for(options.line_width, 3, 12, mesh.number_of_edges(), options)),
-        dot_radius_(Canvas::samples * size_for(options.dot_radius, 6, 8, mesh.number_of_vertices(), options)) {
+        dot_radius_(Canvas::samples * size_for(options.dot_radius, 6, 8, mesh.number_of_vertices(), options)),
+        cell_colours_(cell_colours(mesh, options.colouring)) {
     corners_.reserve(patches.points.size());
     for (std::size_t i = 0; i < patches.points.size(); ++i)
       corners_.push_back({camera_.project(patches.points[i]), camera_.turn(patches.normals[i])});
@@ -85,7 +87,7 @@ private:
   void draw_polygon(Canvas& canvas, std::size_t i) const {
     const std::span<const std::uint32_t> corners =
         std::span(patches_.corners).subspan(patches_.begin[i], patches_.begin[i + 1] - patches_.begin[i]);
-    const Colour tint = cell_colour(mesh_.cell(patches_.cell[i]).sign);
+    const Colour tint = cell_colours_[patches_.cell[i]];
     if (corners.size() == 3) {
       canvas.triangle(corners_[corners[0]], corners_[corners[1]], corners_[corners[2]], tint);
       return;
@@ -139,6 +141,7 @@ private:
   const Render_options& options_;
   Camera camera_;
   double line_width_, dot_radius_; ///< samples
+  std::vector<Colour> cell_colours_;
   std::vector<Corner> corners_;
   std::vector<Rows> polygon_rows_, line_rows_;
 };

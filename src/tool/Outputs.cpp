@@ -38,7 +38,9 @@ int pixels(std::string_view text, std::string_view size) {
 
 } // namespace
 
-Outputs::Outputs(const Extract_options& options) {
+Outputs::Outputs(const Output_options& options) {
+  if (options.threads < 0)
+    throw Usage_error(fmt::format("the number of threads is {}; give --threads 0 for all cores", options.threads));
   for (const std::string& file : options.outputs) {
     const std::string extension = lower_case_extension(file);
     if (extension == ".graphml")
@@ -51,10 +53,20 @@ Outputs::Outputs(const Extract_options& options) {
       throw Usage_error(fmt::format("the extension of '{}' is not known; give -o a .graphml, an .off or a .png", file));
   }
   add(Kind::lines, options.lines);
-  add(Kind::patches, options.cells);
+  if (!options.cells.empty()) {
+    const std::string extension = lower_case_extension(options.cells);
+    if (extension != ".off" && extension != ".ply")
+      throw Usage_error(fmt::format("the extension of '{}' is not known; give an .off or a .ply for the cells", options.cells));
+    add(extension == ".off" ? Kind::patches_off : Kind::patches_ply, options.cells);
+  }
   add(Kind::surface, options.surface);
   add(Kind::report, options.report);
 
+  if (options.colour == "cell")
+    colouring_ = Cell_colouring::cell;
+  else if (!options.colour.empty() && options.colour != "sign")
+    throw Usage_error(fmt::format("'{}' is not a way to colour cells; give --colour sign or cell", options.colour));
+  render_.colouring = colouring_;
   if (!options.size.empty()) {
     const std::string_view size = options.size;
     const std::size_t cross = std::min(size.find('x'), size.size() - 1);
@@ -78,9 +90,14 @@ void Outputs::add(Kind kind, const std::string& file) {
   outputs_.push_back({kind, file});
 }
 
+void Outputs::reserve(const std::string& file) {
+  add(Kind::other, file);
+}
+
 bool Outputs::need_patches() const {
-  return std::any_of(outputs_.begin(), outputs_.end(),
-                     [](const Output& output) { return output.kind == Kind::picture || output.kind == Kind::patches; });
+  return std::any_of(outputs_.begin(), outputs_.end(), [](const Output& output) {
+    return output.kind == Kind::picture || output.kind == Kind::patches_off || output.kind == Kind::patches_ply;
+  });
 }
 
 void Outputs::write(const Result& result) const {
@@ -96,17 +113,21 @@ void Outputs::write(const Output& output, const Result& result) const {
   case Kind::graphml:
     return write_graphml(output.file, extraction.mesh);
   case Kind::cell_polygons:
-    return write_off(output.file, extraction.mesh);
+    return write_off(output.file, extraction.mesh, colouring_);
   case Kind::picture:
     return render_png(output.file, extraction.mesh, extraction.patches, render_);
   case Kind::lines:
     return write_lines_off(output.file, extraction.mesh);
-  case Kind::patches:
-    return write_off(output.file, extraction.patches, extraction.mesh);
+  case Kind::patches_off:
+    return write_off(output.file, extraction.patches, extraction.mesh, colouring_);
+  case Kind::patches_ply:
+    return write_ply(output.file, extraction.patches, extraction.mesh, colouring_);
   case Kind::surface:
     return write_off(output.file, result.surface);
   case Kind::report:
     return write_text_file(output.file, report_json(result) + "\n");
+  case Kind::other:
+    break;
   }
 }
 

@@ -13,18 +13,23 @@
 
 namespace CGAL::Extremal_mesh_3::tool {
 
-/// The files that `extract` was asked for.
+/// The files that a command was asked for.
 class Outputs {
 public:
   /// \throws Usage_error for an unknown extension or two outputs in one file; Io_error if one cannot be written
-  explicit Outputs(const Extract_options& options);
+  explicit Outputs(const Output_options& options);
 
+  /// takes note of a file that the command itself writes.
+  /// \throws the same
+  void reserve(const std::string& file);
+  bool empty() const { return outputs_.empty(); }
+  /// whether the surface is needed: pictures are drawn without it if there is none, its cells cannot be written.
   bool need_patches() const;
   /// \throws Io_error; Cancelled, between two files, if there was a Ctrl-C
   void write(const Result& result) const;
 
 private:
-  enum class Kind { graphml, cell_polygons, picture, lines, patches, surface, report };
+  enum class Kind { graphml, cell_polygons, picture, lines, patches_off, patches_ply, surface, report, other };
   struct Output {
     Kind kind;
     std::string file;
@@ -35,6 +40,7 @@ private:
 
   std::vector<Output> outputs_;
   Render_options render_;
+  Cell_colouring colouring_ = Cell_colouring::sign;
 };
 
 } // namespace CGAL::Extremal_mesh_3::tool

@@ -24,7 +24,18 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-struct Extract_options {
+/// Which files are to be written, and how.
+struct Output_options {
+  std::vector<std::string> outputs; ///< what they are follows from their extensions
+  std::string lines, cells, surface, report;
+  std::string colour;  ///< of cells: "sign" or "cell"; empty: by sign
+  Vector view{}, up{}; ///< zero: the renderer's own
+  std::string size;    ///< "WIDTHxHEIGHT"; empty: the renderer's own
+  int threads = 0;
+  bool quiet = false;
+};
+
+struct Extract_options : Output_options {
   std::string input; ///< an image or a mesh; empty if there is a formula
   std::optional<std::string> formula;
   std::optional<std::array<double, 6>> box;
@@ -33,15 +44,19 @@ struct Extract_options {
   std::optional<double> iso, sigma;
   std::optional<double> radius, weld;
   std::optional<int> rings;
-  std::vector<std::string> outputs; ///< what they are follows from their extensions
-  std::string lines, cells, surface, report;
-  Vector view{}, up{}; ///< zero: the renderer's own
-  std::string size;    ///< "WIDTHxHEIGHT"; empty: the renderer's own
-  int threads = 0;
   std::optional<int> max_level, max_line_level;
-  bool quiet = false;
 };
 int extract(const Extract_options& options);
+
+struct Simplify_options : Output_options {
+  std::string file;
+  std::optional<double> threshold, keep_crest;
+  std::optional<std::int64_t> number_of_cells, number_of_vertices, level;
+  bool gap = false;
+  std::string patches;                ///< the given mesh's cells, as `extract --cells` writes them
+  std::string persistence, hierarchy; ///< files
+};
+int simplify(const Simplify_options& options);
 
 struct Graph_options {
   std::string file;

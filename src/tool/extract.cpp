@@ -66,8 +66,6 @@ void extract_from_mesh(Input& input, const Extract_options& told, Extraction_opt
 } // namespace
 
 int extract(const Extract_options& options) {
-  if (options.threads < 0)
-    throw Usage_error(fmt::format("the number of threads is {}; give --threads 0 for all cores", options.threads));
   const Outputs outputs(options);
   Input input = read_input(options);
   catch_interrupts();

@@ -35,6 +35,22 @@ std::vector<std::string> arguments(int argc, char** argv) {
   return result;
 }
 
+/// the options of all commands that write a mesh.
+void add_outputs(CLI::App& command, tool::Output_options& options) {
+  const auto option = [&](const std::string& name, auto& value, const std::string& type, const std::string& text) {
+    return command.add_option(name, value, text)->type_name(type);
+  };
+  option("-o,--output", options.outputs, "FILE", "the graph (.graphml), its cells (.off), a picture (.png); repeatable")
+      ->allow_extra_args(false);
+  option("--lines", options.lines, "FILE", "write the lines as coloured tubes (.off)");
+  option("--colour", options.colour, "sign|cell", "of cells: two tints by the sign of E_g, or one for each (sign)");
+  option("--view", options.view, "DX DY DZ", "the direction of sight of the picture");
+  option("--up", options.up, "DX DY DZ", "what points upwards in the picture (0 0 1)");
+  option("--size", options.size, "WIDTHxHEIGHT", "of the picture in pixels (1600x1200)");
+  option("--threads", options.threads, "N", "0: as many as there are cores (0)");
+  command.add_flag("--quiet", options.quiet, "print errors only");
+}
+
 void add_extract(CLI::App& app, tool::Extract_options& options, std::function<int()>& run) {
   CLI::App* command =
       app.add_subcommand("extract", "extracts the extremal mesh of a surface f = 0, an image or a polygon mesh");
@@ -56,25 +72,41 @@ void add_extract(CLI::App& app, tool::Extract_options& options, std::function<in
          "meshes: the scale of the features looked for, in the mesh's unit (from its sampling and noise)");
   option("--rings", options.rings, "N", "meshes: instead of a radius, how many edges away neighbours are");
   option("--weld", options.weld, "LENGTH", "meshes: vertices so near to each other become one (0; STL: rounding)");
-  option("-o,--output", options.outputs, "FILE", "the graph (.graphml), its cells (.off), a picture (.png); repeatable")
-      ->allow_extra_args(false);
-  option("--lines", options.lines, "FILE", "write the lines as coloured tubes (.off)");
-  option("--cells", options.cells, "FILE", "write the surface cut along the lines, coloured by cell (.off)");
+  option("--cells", options.cells, "FILE", "write the surface cut along the lines, each polygon with its cell (.ply .off)");
   option("--surface", options.surface, "FILE", "write the polygonal surface used (.off)");
   option("--report", options.report, "FILE", "write counts and checks (.json)");
-  option("--view", options.view, "DX DY DZ", "the direction of sight of the picture");
-  option("--up", options.up, "DX DY DZ", "what points upwards in the picture (0 0 1)");
-  option("--size", options.size, "WIDTHxHEIGHT", "of the picture in pixels (1600x1200)");
-  option("--threads", options.threads, "N", "0: as many as there are cores (0)");
+  add_outputs(*command, options);
   option("--max-level", options.max_level, "N", "how often a cell may be divided (14; images and meshes 8)");
   option("--max-line-level", options.max_line_level, "N",
          "the same where only the course of a line is uncertain (as --max-level; images 2)");
-  command->add_flag("--quiet", options.quiet, "print errors only");
   command->footer("Example:\n  extremal_mesh extract --formula \"x^2/9+y^2/4+z^2-1\" --box -4 -3 -2 4 3 2 "
                   "-o ellipsoid.graphml -o ellipsoid.png\n"
                   "  extremal_mesh extract skull.nii.gz --iso 300 --sigma 1.5 -o skull.graphml --report skull.json\n"
                   "  extremal_mesh extract femur.off --radius 0.1 -o femur.graphml -o femur.png");
   command->callback([&] { run = [&] { return tool::extract(options); }; });
+}
+
+void add_simplify(CLI::App& app, tool::Simplify_options& options, std::function<int()>& run) {
+  CLI::App* command = app.add_subcommand("simplify", "removes what is least persistent from an extremal mesh");
+  command->add_option("GRAPH", options.file, "an extremal mesh (.graphml)")->required()->type_name("");
+  const auto option = [&](const std::string& name, auto& value, const std::string& type, const std::string& text) {
+    return command->add_option(name, value, text)->type_name(type);
+  };
+  option("--threshold", options.threshold, "T", "do every step of at most this persistence");
+  option("--cells", options.number_of_cells, "N", "until there are at most so many cells");
+  option("--vertices", options.number_of_vertices, "N", "until there are at most so many vertices");
+  option("--level", options.level, "L", "do so many steps");
+  command->add_flag("--gap", options.gap, "until the greatest rise of the persistence from a step to the next");
+  option("--keep-crest", options.keep_crest, "STRENGTH", "crest lines of at least this strength keep their course");
+  option("--persistence", options.persistence, "FILE", "write the persistence diagram (.svg .png .csv)");
+  option("--hierarchy", options.hierarchy, "FILE", "write all steps as a table (.csv)");
+  option("--surface", options.patches, "FILE", "the cells of GRAPH as 'extract --cells' wrote them (.ply)");
+  option("--patches", options.cells, "FILE", "write the surface with the cells that are left (.ply .off); needs --surface");
+  add_outputs(*command, options);
+  command->footer("Example:\n  extremal_mesh simplify skull.graphml --cells 300 -o simple.graphml\n"
+                  "  extremal_mesh simplify skull.graphml --persistence diagram.svg --hierarchy steps.csv\n"
+                  "  extremal_mesh simplify skull.graphml --gap --surface cells.ply -o simple.png --patches simple.ply");
+  command->callback([&] { run = [&] { return tool::simplify(options); }; });
 }
 
 void add_graph_command(CLI::App& app, const std::string& name, const std::string& description,
@@ -100,11 +132,13 @@ int run(int argc, char** argv) {
   app.footer("'extremal_mesh COMMAND --help' tells more, with an example.");
   std::function<int()> command;
   tool::Extract_options extract_options;
+  tool::Simplify_options simplify_options;
   tool::Graph_options graph_options;
   add_extract(app, extract_options, command);
   add_graph_command(app, "info", "counts what an extremal mesh consists of", graph_options, tool::info, command);
   add_graph_command(app, "check", "tests the identities of an extremal mesh; exit code 1 if one is violated",
                     graph_options, tool::check, command);
+  add_simplify(app, simplify_options, command);
   try {
     app.parse(arguments(argc, argv));
   } catch (const CLI::Success& success) { // help or version
@@ -113,7 +147,7 @@ int run(int argc, char** argv) {
     return tell(fmt::format("{}; 'extremal_mesh --help' shows how to call it", error.what()), tool::usage);
   }
   if (!command)
-    return tell("there is no command; give extract, info or check", tool::usage);
+    return tell("there is no command; give extract, info, check or simplify", tool::usage);
   const int code = command();
   if (std::fflush(stdout) != 0)
     return tell("the output cannot be written; is the disk full?", tool::failure);

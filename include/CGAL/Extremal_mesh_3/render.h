@@ -4,6 +4,7 @@
 #define CGAL_EXTREMAL_MESH_3_RENDER_H
 
 #include <CGAL/Extremal_mesh_3/Extremal_mesh.h>
+#include <CGAL/Extremal_mesh_3/cell_patches.h>
 #include <CGAL/Extremal_mesh_3/errors.h>
 #include <CGAL/Extremal_mesh_3/extract_extremal_mesh.h>
 
@@ -19,11 +20,12 @@ struct Render_options {
   double line_width = 0;           ///< pixels; 0: 3, or less where many lines are crowded
   double dot_radius = 0;           ///< pixels; 0: 6, or less where many vertices are crowded
   double min_strength = 0;         ///< lines of less strength are drawn thinner and paler
+  Cell_colouring colouring = Cell_colouring::sign; ///< of the surface
   bool legend = true;              ///< tell what the colours mean, if there is room
   int threads = 0;                 ///< 0: as many as there are cores. The picture does not depend on it.
 };
 
-/// draws surface (E_g > 0 and E_g < 0 in two tints), lines in the colours of Thirion's report (largest curvature
+/// draws surface (E_g > 0 and E_g < 0 in two tints, if not told otherwise), lines in the colours of Thirion's report (largest curvature
 /// orange, second blue, maxima lighter than minima), extremal points and umbilics as dots, and writes a PNG. Needs no
 /// display. Without patches the lines are drawn alone, those on the far side too.
 /// \throws Io_error if the file cannot be written
