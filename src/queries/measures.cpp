@@ -9,24 +9,28 @@
 #include "require.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace CGAL::Extremal_mesh_3 {
 
 namespace {
 
+/// ∫ f ds along the edge.
+double integral(const Extremal_mesh_edge& edge, const std::vector<double>& f) {
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < f.size(); ++i)
+    sum += distance(edge.polyline[i], edge.polyline[i + 1]) * (f[i] + f[i + 1]) / 2;
+  return sum;
+}
+
 /// the mean of the family's curvature along the edge; that of its points if the edge has no length.
 double mean_curvature(const Extremal_mesh_edge& edge) {
   const std::vector<double>& k = edge.family == 1 ? edge.k1 : edge.k2;
-  double integral = 0, length = 0, sum = k.front();
-  for (std::size_t i = 0; i + 1 < k.size(); ++i) {
-    const double ds = distance(edge.polyline[i], edge.polyline[i + 1]);
-    integral += ds * (k[i] + k[i + 1]) / 2;
-    length += ds;
-    sum += k[i + 1];
-  }
-  return length > 0 ? integral / length : sum / double(k.size());
+  const double length = integral(edge, std::vector<double>(k.size(), 1));
+  return length > 0 ? integral(edge, k) / length : std::accumulate(k.begin(), k.end(), 0.0) / double(k.size());
 }
 
 double extreme_curvature(const Extremal_mesh_edge& edge) {
@@ -49,7 +53,7 @@ Line_measures edge_measures(const Extremal_mesh& mesh, std::uint32_t e) {
   m.sharpness = edge.sharpness;
   m.mean_curvature = mean_curvature(edge);
   m.extreme_curvature = extreme_curvature(edge);
-  m.stability = mesh.surface().area * *std::max_element(edge.extremality.begin(), edge.extremality.end());
+  m.stability = std::sqrt(mesh.surface().area) * integral(edge, edge.extremality);
   return m;
 }
 
@@ -58,7 +62,7 @@ Line_measures line_measures(const Extremal_mesh& mesh, const Extremal_line& line
   if (line.half_edges.empty())
     return m;
   m.stability = std::numeric_limits<double>::infinity();
-  double integral = 0, sum = 0;
+  double integral_of_curvature = 0, sum = 0;
   for (const Half_edge h : line.half_edges) {
     require_half_edge(mesh, h);
     const Line_measures of_edge = edge_measures(mesh, h / 2);
@@ -66,12 +70,12 @@ Line_measures line_measures(const Extremal_mesh& mesh, const Extremal_line& line
     m.length += of_edge.length;
     m.strength += of_edge.strength;
     m.sharpness += of_edge.sharpness;
-    integral += of_edge.length * of_edge.mean_curvature;
+    integral_of_curvature += of_edge.length * of_edge.mean_curvature;
     sum += of_edge.mean_curvature;
     if (std::abs(of_edge.extreme_curvature) > std::abs(m.extreme_curvature))
       m.extreme_curvature = of_edge.extreme_curvature;
   }
-  m.mean_curvature = m.length > 0 ? integral / m.length : sum / double(line.half_edges.size());
+  m.mean_curvature = m.length > 0 ? integral_of_curvature / m.length : sum / double(line.half_edges.size());
   return m;
 }
 

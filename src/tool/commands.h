@@ -65,6 +65,21 @@ struct Graph_options {
 int info(const Graph_options& options);
 int check(const Graph_options& options);
 
+/// Exactly one question, and what belongs to it.
+struct Query_options {
+  std::string file;
+  std::optional<std::array<double, 3>> cell_at, nearest;
+  std::string surface;                         ///< of `cell_at`: the cut surface; empty: lines tell
+  std::optional<std::array<double, 3>> normal; ///< of `cell_at`
+  std::optional<std::int64_t> cell, neighbours, around, line_through, strongest;
+  std::optional<std::array<std::int64_t, 2>> path;
+  std::optional<std::string> vertices, edges;
+  std::array<std::optional<double>, 6> min, max; ///< of `edges`, by `Line_measure`
+  bool components = false, quads = false;
+  bool json = false; ///< as it is anyhow
+};
+int query(const Query_options& options);
+
 } // namespace CGAL::Extremal_mesh_3::tool
 
 #endif // EXTREMAL_MESH_3_SRC_TOOL_COMMANDS_H

@@ -5,6 +5,7 @@
 #include "commands.h"
 
 #include <CGAL/Extremal_mesh_3/errors.h>
+#include <CGAL/Extremal_mesh_3/select.h>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -72,7 +73,8 @@ void add_extract(CLI::App& app, tool::Extract_options& options, std::function<in
          "meshes: the scale of the features looked for, in the mesh's unit (from its sampling and noise)");
   option("--rings", options.rings, "N", "meshes: instead of a radius, how many edges away neighbours are");
   option("--weld", options.weld, "LENGTH", "meshes: vertices so near to each other become one (0; STL: rounding)");
-  option("--cells", options.cells, "FILE", "write the surface cut along the lines, each polygon with its cell (.ply .off)");
+  option("--cells", options.cells, "FILE",
+         "write the surface cut along the lines, each polygon with its cell (.ply .off)");
   option("--surface", options.surface, "FILE", "write the polygonal surface used (.off)");
   option("--report", options.report, "FILE", "write counts and checks (.json)");
   add_outputs(*command, options);
@@ -101,11 +103,13 @@ void add_simplify(CLI::App& app, tool::Simplify_options& options, std::function<
   option("--persistence", options.persistence, "FILE", "write the persistence diagram (.svg .png .csv)");
   option("--hierarchy", options.hierarchy, "FILE", "write all steps as a table (.csv)");
   option("--surface", options.patches, "FILE", "the cells of GRAPH as 'extract --cells' wrote them (.ply)");
-  option("--patches", options.cells, "FILE", "write the surface with the cells that are left (.ply .off); needs --surface");
+  option("--patches", options.cells, "FILE",
+         "write the surface with the cells that are left (.ply .off); needs --surface");
   add_outputs(*command, options);
-  command->footer("Example:\n  extremal_mesh simplify skull.graphml --cells 300 -o simple.graphml\n"
-                  "  extremal_mesh simplify skull.graphml --persistence diagram.svg --hierarchy steps.csv\n"
-                  "  extremal_mesh simplify skull.graphml --gap --surface cells.ply -o simple.png --patches simple.ply");
+  command->footer(
+      "Example:\n  extremal_mesh simplify skull.graphml --cells 300 -o simple.graphml\n"
+      "  extremal_mesh simplify skull.graphml --persistence diagram.svg --hierarchy steps.csv\n"
+      "  extremal_mesh simplify skull.graphml --gap --surface cells.ply -o simple.png --patches simple.ply");
   command->callback([&] { run = [&] { return tool::simplify(options); }; });
 }
 
@@ -117,6 +121,40 @@ void add_graph_command(CLI::App& app, const std::string& name, const std::string
   command->add_flag("--json", options.json, "print one JSON object");
   command->footer(fmt::format("Example:\n  extremal_mesh {} ellipsoid.graphml --json", name));
   command->callback([&options, function, &run] { run = [&options, function] { return function(options); }; });
+}
+
+void add_query(CLI::App& app, tool::Query_options& options, std::function<int()>& run) {
+  CLI::App* command = app.add_subcommand("query", "answers one question about an extremal mesh, as a JSON object");
+  command->add_option("GRAPH", options.file, "an extremal mesh (.graphml)")->required()->type_name("");
+  const auto option = [&](const std::string& name, auto& value, const std::string& type, const std::string& text) {
+    command->add_option(name, value, text)->type_name(type);
+  };
+  option("--cell-at", options.cell_at, "X Y Z", "the cell that holds a point of the surface");
+  option("--surface", options.surface, "FILE",
+         "with --cell-at: decide by the surface cut along the lines (.ply, as 'extract --cells' writes it)");
+  option("--normal", options.normal, "NX NY NZ", "with --cell-at: the surface's normal there; ignores other sheets");
+  option("--cell", options.cell, "CELL", "a cell, with its sides in order");
+  option("--neighbours", options.neighbours, "CELL", "the cells beside a cell");
+  option("--around", options.around, "VERTEX", "the branches of a vertex and the cells between them, in order");
+  option("--line-through", options.line_through, "EDGE", "the line that an edge is part of");
+  option("--strongest", options.strongest, "K", "the K strongest crest lines");
+  option("--path", options.path, "V W", "the shortest way along the lines from one vertex to another");
+  option("--nearest", options.nearest, "X Y Z", "the nearest vertex and the nearest point of the lines");
+  option("--vertices", options.vertices, "KIND", "extremal_point, umbilic, non_generic, boundary, anchor or all");
+  option("--edges", options.edges, "TYPE|FAMILY", "max_largest, min_largest, max_second, min_second, 1, 2 or all");
+  for (std::size_t i = 0; i < options.min.size(); ++i) {
+    const std::string measure(to_string(static_cast<Line_measure>(i)));
+    std::string words = measure;
+    std::replace(words.begin(), words.end(), '_', '-');
+    option(fmt::format("--min-{}", words), options.min[i], "X", fmt::format("with --edges: least {}", measure));
+    option(fmt::format("--max-{}", words), options.max[i], "X", fmt::format("with --edges: greatest {}", measure));
+  }
+  command->add_flag("--components", options.components, "the connected components of the graph");
+  command->add_flag("--quads", options.quads, "the cells with four sides, and the order of their types");
+  command->add_flag("--json", options.json, "print JSON, as it is done anyhow");
+  command->footer("Example:\n  extremal_mesh query ellipsoid.graphml --cell-at 1.7 1.2 0.6\n"
+                  "  extremal_mesh query skull.graphml --edges max_largest --min-strength 2");
+  command->callback([&] { run = [&] { return tool::query(options); }; });
 }
 
 int tell(std::string message, int code) {
@@ -139,6 +177,8 @@ int run(int argc, char** argv) {
   add_graph_command(app, "check", "tests the identities of an extremal mesh; exit code 1 if one is violated",
                     graph_options, tool::check, command);
   add_simplify(app, simplify_options, command);
+  tool::Query_options query_options;
+  add_query(app, query_options, command);
   try {
     app.parse(arguments(argc, argv));
   } catch (const CLI::Success& success) { // help or version
@@ -147,7 +187,7 @@ int run(int argc, char** argv) {
     return tell(fmt::format("{}; 'extremal_mesh --help' shows how to call it", error.what()), tool::usage);
   }
   if (!command)
-    return tell("there is no command; give extract, info, check or simplify", tool::usage);
+    return tell("there is no command; give extract, info, check, simplify or query", tool::usage);
   const int code = command();
   if (std::fflush(stdout) != 0)
     return tell("the output cannot be written; is the disk full?", tool::failure);

@@ -23,9 +23,10 @@ struct Line_measures {
   double sharpness = 0;         ///< area of the surface × ∫|∇e_family·t_family| ds, no unit
   double mean_curvature = 0;    ///< ∫ k_family ds / length, in 1/length: its sign is that of the curvature
   double extreme_curvature = 0; ///< the value of k_family that is greatest in absolute value, in 1/length
-  /// of an edge: area of the surface × the greatest `extremality` along it, no unit. That is how far the extremality of the
-  /// other family would have to change for the vertices at its two ends to meet and cancel each other. Of a line: that of
-  /// its least stable edge, at which it would be cut first. `Simplification` tells in which order things really vanish.
+  /// of an edge: √(area of the surface) × ∫|e_other| ds, no unit. That is about how much the other principal curvature differs
+  /// between the two ends, so how far it would have to change for them to meet and cancel each other: the `persistence` of
+  /// that step of a `Simplification`, as long as nothing else has changed. Of a line: that of its least stable edge, at
+  /// which it would be cut first.
   double stability = 0;
 };
 

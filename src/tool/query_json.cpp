@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "query_json.h"
+
+namespace CGAL::Extremal_mesh_3::tool {
+
+namespace {
+
+void add(Json& json, const Line_measures& m) {
+  json["length"] = m.length;
+  json["strength"] = m.strength;
+  json["sharpness"] = m.sharpness;
+  json["mean_curvature"] = m.mean_curvature;
+  json["extreme_curvature"] = m.extreme_curvature;
+  json["stability"] = m.stability;
+}
+
+Json json_of_side(const Extremal_mesh& mesh, const Cell_side& side) {
+  return {{"half_edge", side.half_edge},       {"from", mesh.source(side.half_edge)},
+          {"to", mesh.target(side.half_edge)}, {"family", side.family},
+          {"type", to_string(side.type)},      {"length", mesh.edge(side.half_edge / 2).length},
+          {"neighbour", side.neighbour}};
+}
+
+/// appends a value, of which the first line is indented already.
+void append_pretty(std::string& out, const Json& json, std::size_t indent) {
+  constexpr std::size_t short_enough = 120;
+  const std::string line = json.dump();
+  if (!json.is_structured() || json.empty() || (indent > 0 && indent + line.size() <= short_enough)) {
+    out += line;
+    return;
+  }
+  out += json.is_object() ? "{" : "[";
+  const char* separator = "\n";
+  for (const auto& [key, value] : json.items()) {
+    out += separator;
+    out.append(indent + 2, ' ');
+    if (json.is_object())
+      out.append(Json(key).dump()).append(": ");
+    append_pretty(out, value, indent + 2);
+    separator = ",\n";
+  }
+  out += '\n';
+  out.append(indent, ' ');
+  out += json.is_object() ? '}' : ']';
+}
+
+} // namespace
+
+Json json_of_vertex(const Extremal_mesh& mesh, std::uint32_t v) {
+  const Vertex_measures m = vertex_measures(mesh, v); // refuses vertices that are not there
+  const Extremal_mesh_vertex& vertex = mesh.vertex(v);
+  Json json = {{"id", v}, {"kind", to_string(vertex.kind)}, {"point", vertex.point}, {"normal", vertex.normal}};
+  json["k1"] = vertex.k1;
+  json["k2"] = vertex.k2;
+  json["degree"] = vertex.star.size();
+  if (vertex.kind == Vertex_kind::umbilic) {
+    json["umbilic_type"] = to_string(vertex.umbilic_type);
+    json["index"] = vertex.umbilic_index;
+    json["ridges"] = vertex.ridges;
+  }
+  if (m.extrema) {
+    json["extrema"] = to_string(*m.extrema);
+    json["types"] = {to_string(vertex.extrema[0]), to_string(vertex.extrema[1])};
+  }
+  json["strength"] = m.strength;
+  json["stability"] = m.stability;
+  return json;
+}
+
+Json json_of_edge(const Extremal_mesh& mesh, std::uint32_t e) {
+  const Line_measures m = edge_measures(mesh, e); // refuses edges that are not there
+  const Extremal_mesh_edge& edge = mesh.edge(e);
+  Json json = {{"id", e},
+               {"source", edge.source},
+               {"target", edge.target},
+               {"family", edge.family},
+               {"type", to_string(edge.type)},
+               {"left_cell", edge.left_cell},
+               {"right_cell", edge.right_cell}};
+  add(json, m);
+  return json;
+}
+
+std::vector<std::uint32_t> vertices_along(const Extremal_mesh& mesh, const std::vector<Half_edge>& half_edges) {
+  std::vector<std::uint32_t> vertices;
+  for (const Half_edge h : half_edges)
+    vertices.push_back(mesh.source(h));
+  if (!half_edges.empty())
+    vertices.push_back(mesh.target(half_edges.back()));
+  return vertices;
+}
+
+Json json_of_line(const Extremal_mesh& mesh, const Extremal_line& line) {
+  Json json = {{"closed", line.closed}};
+  add(json, line_measures(mesh, line));
+  json["half_edges"] = line.half_edges;
+  json["vertices"] = vertices_along(mesh, line.half_edges);
+  return json;
+}
+
+Json json_of_cell(const Extremal_mesh& mesh, std::uint32_t c, bool sides) {
+  const Cell_measures m = cell_measures(mesh, c); // refuses cells that are not there
+  const Extremal_mesh_cell& cell = mesh.cell(c);
+  Json json = {{"id", c},
+               {"sign", cell.sign},
+               {"euler_characteristic", cell.euler_characteristic},
+               {"touches_border", cell.touches_border},
+               {"area", m.area},
+               {"weight", m.weight},
+               {"mean_extremality", m.mean_extremality},
+               {"perimeter", m.perimeter},
+               {"sides", m.sides},
+               {"compactness", m.compactness ? Json(*m.compactness) : Json()}};
+  if (sides) {
+    json["boundary"] = Json::array();
+    for (const auto& walk : cell_sides(mesh, c)) {
+      Json& list = json["boundary"].emplace_back(Json::array());
+      for (const Cell_side& side : walk)
+        list.push_back(json_of_side(mesh, side));
+    }
+  }
+  return json;
+}
+
+std::string pretty(const Json& json) {
+  std::string out;
+  append_pretty(out, json, 0);
+  return out;
+}
+
+} // namespace CGAL::Extremal_mesh_3::tool
