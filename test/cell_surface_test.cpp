@@ -41,8 +41,7 @@ const std::vector<Shape>& shapes() {
   const std::string bent = "x^2+1.3*y^2+1.7*z^2+0.2*x^3+0.15*y^3-0.4*x*y*z+0.2*x^2*z+0.1*x*y^2-1";
   static const std::vector<Shape> all = {
       {"closed", extracted(bent, {-1.4, -1.4, -1.4}, {1.4, 1.4, 1.4})},
-      {"torus",
-       extracted("(sqrt(x^2+1.3*y^2)-1)^2+z^2*(1+0.2*x)+0.03*y*z-0.16", {-1.6, -1.5, -0.7}, {1.6, 1.5, 0.7})},
+      {"torus", extracted("(sqrt(x^2+1.3*y^2)-1)^2+z^2*(1+0.2*x)+0.03*y*z-0.16", {-1.6, -1.5, -0.7}, {1.6, 1.5, 0.7})},
       {"bordered", extracted(bent, {-1.4, -1.4, -0.1}, {1.4, 1.4, 1.4})}};
   return all;
 }
@@ -138,8 +137,8 @@ TEST(Cell_surface, is_cut_exactly_along_the_lines) {
       if (surface.is_border(e))
         continue;
       const std::uint32_t one = cell[surface.face(h)], other = cell[surface.face(surface.opposite(h))];
-      const bool on_line = segments.count(
-          std::minmax(point_of(surface, surface.source(h)), point_of(surface, surface.target(h)))) != 0;
+      const bool on_line =
+          segments.count(std::minmax(point_of(surface, surface.source(h)), point_of(surface, surface.target(h)))) != 0;
       EXPECT_EQ(one != other, on_line) << shape.name;
       if (one != other) {
         EXPECT_EQ(mesh.cell(one).sign, -mesh.cell(other).sign) << shape.name;

@@ -303,9 +303,8 @@ TEST(Check, finds_a_line_of_the_wrong_family_at_the_border) {
 }
 
 TEST(Check, finds_a_loop_of_the_border_with_an_odd_number_of_ends) {
-  const Outcome o = after(bordered_mesh(), [](Parts& p) {
-    p.vertices[p.first(Vertex_kind::boundary)].kind = Vertex_kind::non_generic;
-  });
+  const Outcome o = after(bordered_mesh(),
+                          [](Parts& p) { p.vertices[p.first(Vertex_kind::boundary)].kind = Vertex_kind::non_generic; });
   EXPECT_TRUE(o.violated.count("border")) << o.details;
   EXPECT_TRUE(o.names(" lines end on the loop of the border with vertex ")) << o.details;
 }

@@ -68,7 +68,8 @@ struct Svg {
       if (name == "g")
         group = reader.attribute("id");
       else if (name == "circle")
-        dots.push_back({number(std::string(reader.attribute("cx"))), number(std::string(reader.attribute("cy"))), group});
+        dots.push_back(
+            {number(std::string(reader.attribute("cx"))), number(std::string(reader.attribute("cy"))), group});
       else if (name == "line")
         dashed_lines += !reader.attribute("stroke-dasharray").empty();
       else if (name == "rect")
@@ -126,8 +127,9 @@ TEST(Persistence_diagram, marks_the_gap_and_the_chosen_level_and_tells_what_its_
     EXPECT_EQ(svg.bands, 1U);
     EXPECT_EQ(svg.dashed_lines, 1U);
     EXPECT_TRUE(svg.tells("gap at level " + std::to_string(gap) + ": ")) << svg.texts;
-    EXPECT_TRUE(svg.tells("chosen level " + std::to_string(level) +
-                          (level > 0 ? ": " + std::to_string(steps[level - 1].vertices) + " vertices" : ": nothing done")))
+    EXPECT_TRUE(
+        svg.tells("chosen level " + std::to_string(level) +
+                  (level > 0 ? ": " + std::to_string(steps[level - 1].vertices) + " vertices" : ": nothing done")))
         << svg.texts;
     EXPECT_TRUE(svg.tells("vertices left after the step"));
     EXPECT_TRUE(svg.tells("persistence: change of a curvature times the root of the area (no unit)"));
@@ -181,9 +183,9 @@ TEST(Persistence_diagram, of_a_mesh_that_cannot_be_simplified_is_empty) {
 TEST(Persistence_diagram, is_refused_for_unknown_formats_and_levels) {
   const Temporary_folder folder;
   EXPECT_THROW(write_persistence_diagram(folder.file("diagram.pdf"), simplification(), 0), std::invalid_argument);
-  EXPECT_THROW(write_persistence_diagram(folder.file("diagram.svg"), simplification(),
-                                         simplification().steps().size() + 1),
-               std::out_of_range);
+  EXPECT_THROW(
+      write_persistence_diagram(folder.file("diagram.svg"), simplification(), simplification().steps().size() + 1),
+      std::out_of_range);
   EXPECT_THROW(write_persistence_diagram(folder.file("none/diagram.svg"), simplification(), 0), Io_error);
   EXPECT_EQ(folder.number_of_files(), 0U);
 }

@@ -186,8 +186,116 @@ TEST_F(Tool, check_fails_if_an_identity_is_violated) {
   EXPECT_EQ(run("info wrong.graphml").code, 0);
 }
 
+TEST_F(Tool, writes_cells_as_off_and_ply_in_the_colours_asked_for) {
+  EXPECT_EQ(run(ellipsoid + "-o a.graphml --cells a.ply --quiet").code, 0);
+  EXPECT_EQ(run(ellipsoid + "--cells a.off --quiet").code, 0);
+  EXPECT_EQ(run(ellipsoid + "-o a.png --size 160x120 --quiet").code, 0);
+  EXPECT_EQ(run(ellipsoid + "-o b.graphml -o b.png --size 160x120 --cells b.ply --colour cell --quiet").code, 0);
+  EXPECT_EQ(run(ellipsoid + "--cells b.off --colour cell --quiet").code, 0);
+  const Cell_patches patches = read_cell_patches(folder.file("a.ply"));
+  EXPECT_EQ(*std::max_element(patches.cell.begin(), patches.cell.end()), 7U);
+  EXPECT_EQ(patches.points, read_cell_patches(folder.file("b.ply")).points);
+  EXPECT_EQ(read_text(folder.file("a.graphml")), read_text(folder.file("b.graphml")));
+  for (const std::string extension : {"ply", "off", "png"})
+    EXPECT_NE(read_text(folder.file("a." + extension)), read_text(folder.file("b." + extension))) << extension;
+  EXPECT_TRUE(contains(refusal(ellipsoid + "--cells a.obj", 2), "give an .off or a .ply"));
+  EXPECT_TRUE(contains(refusal(ellipsoid + "--cells c.ply --colour red", 2), "--colour sign or cell"));
+}
+
+TEST_F(Tool, simplifies_to_what_is_asked_for) {
+  // waves on an ellipsoid: some vertices more than its ten
+  const std::string wavy = "extract --formula 'x^2/9+y^2/4+z^2-1+0.01*sin(3*x)*cos(4*y+1)+0.005*sin(7*z+2*x)' --box "
+                           "-4 -3 -2 4 3 2 --resolution 32 --quiet -o wavy.graphml --cells wavy.ply";
+  ASSERT_EQ(run(wavy).code, 0);
+  const Extremal_mesh given = read_graphml(folder.file("wavy.graphml"));
+  const auto simple = [&](const std::string& options) {
+    const Outcome outcome = run("simplify wavy.graphml -o simple.graphml " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(contains(outcome.out, "before     " + std::to_string(given.number_of_vertices()) + " vertices, "));
+    EXPECT_TRUE(contains(outcome.out, "all hold\n")) << outcome.out;
+    const Extremal_mesh mesh = read_graphml(folder.file("simple.graphml"));
+    EXPECT_TRUE(contains(outcome.out, "after      " + std::to_string(mesh.number_of_vertices()) + " vertices, "));
+    EXPECT_TRUE(all_hold(CGAL::Extremal_mesh_3::check(mesh)));
+    return mesh;
+  };
+  const std::size_t vertices = given.number_of_vertices(), cells = given.number_of_cells();
+  ASSERT_GT(cells, 20U);
+  EXPECT_EQ(simple("--level 0").number_of_vertices(), vertices);
+  EXPECT_LT(simple("--level 1").number_of_vertices(), vertices);
+  EXPECT_EQ(simple("--threshold 0").number_of_cells(), cells);
+  const Extremal_mesh few = simple("--threshold 1e9");
+  EXPECT_LE(simple("--cells 20").number_of_cells(), 20U);
+  EXPECT_LE(simple("--vertices 20").number_of_vertices(), 20U);
+  EXPECT_EQ(simple("--vertices 0").number_of_vertices(), few.number_of_vertices());
+  EXPECT_LT(simple("--gap").number_of_vertices(), vertices);
+  EXPECT_TRUE(contains(simple("--level 2").surface().parameters, "\"simplification\":{\"level\":2,"));
+  // Who keeps every crest line can simplify less.
+  EXPECT_GT(simple("--threshold 1e9 --keep-crest 0").number_of_vertices(), few.number_of_vertices());
+}
+
+TEST_F(Tool, simplify_writes_surfaces_diagrams_and_tables) {
+  ASSERT_EQ(run("extract --formula 'x^2/9+y^2/4+z^2-1+0.01*sin(3*x)*cos(4*y+1)+0.005*sin(7*z+2*x)' --box -4 -3 -2 4 3 "
+                "2 --resolution 32 --quiet -o wavy.graphml --cells wavy.ply")
+                .code,
+            0);
+  Outcome outcome = run("simplify wavy.graphml --vertices 20 --surface wavy.ply -o a.graphml -o a.png -o a.off --size "
+                        "160x120 --patches a.ply --lines lines.off --persistence a.svg --hierarchy a.csv");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(folder.number_of_files(), 9U);
+  const Extremal_mesh mesh = read_graphml(folder.file("a.graphml"));
+  const Cell_patches given = read_cell_patches(folder.file("wavy.ply")),
+                     patches = read_cell_patches(folder.file("a.ply"));
+  EXPECT_EQ(patches.points, given.points);
+  EXPECT_EQ(patches.corners, given.corners);
+  std::vector<bool> met(mesh.number_of_cells(), false);
+  for (const std::uint32_t c : patches.cell)
+    met.at(c) = true;
+  EXPECT_EQ(std::count(met.begin(), met.end(), false), 0);
+  EXPECT_TRUE(read_text(folder.file("a.svg")).starts_with("<svg "));
+  const std::string steps = read_text(folder.file("a.csv"));
+  EXPECT_TRUE(steps.starts_with("level,operation,persistence,x,y,z,vertices,edges,cells,vanished\n1,")) << steps;
+  // A diagram or a table alone needs no criterion.
+  outcome = run("simplify wavy.graphml --persistence b.csv --hierarchy b_steps.csv --quiet");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(read_text(folder.file("b_steps.csv")), steps);
+  const std::string diagram = read_text(folder.file("b.csv"));
+  EXPECT_EQ(std::count(diagram.begin(), diagram.end(), '\n'), std::count(steps.begin(), steps.end(), '\n'));
+
+  // The patches of another mesh.
+  ASSERT_EQ(run(ellipsoid + "-o plain.graphml --quiet").code, 0);
+  EXPECT_TRUE(contains(refusal("simplify plain.graphml --level 0 --surface wavy.ply -o b.png", 1),
+                       "'wavy.ply' is not of the mesh in 'plain.graphml'"));
+}
+
+TEST_F(Tool, simplify_refuses_what_makes_no_sense) {
+  write_graphml(folder.file("mesh.graphml"), hand_made::ellipsoid());
+  const std::string command = "simplify mesh.graphml ";
+  refusal("simplify", 2);
+  EXPECT_TRUE(contains(refusal(command, 2), "nothing to write"));
+  EXPECT_TRUE(contains(refusal(command + "--cells 3", 2), "nothing to write"));
+  EXPECT_TRUE(contains(refusal(command + "-o a.graphml", 2), "not said how far"));
+  EXPECT_TRUE(contains(refusal(command + "-o a.graphml --cells 3 --gap", 2), "2 ways"));
+  refusal(command + "-o a.graphml --threshold 1 --level 3", 2);
+  refusal(command + "-o a.graphml --threshold -1", 2);
+  refusal(command + "-o a.graphml --threshold nan", 2);
+  refusal(command + "-o a.graphml --threshold much", 2);
+  refusal(command + "-o a.graphml --cells -1", 2);
+  refusal(command + "-o a.graphml --vertices 1.5", 2);
+  EXPECT_TRUE(contains(refusal(command + "-o a.graphml --level 100000", 2), "there is no level 100000"));
+  refusal(command + "-o a.graphml --gap --keep-crest -1", 2);
+  refusal(command + "-o a.graphml --gap --threads -1", 2);
+  refusal(command + "-o a.obj --gap", 2);
+  refusal(command + "--persistence a.pdf", 2);
+  refusal(command + "--persistence a.csv --hierarchy a.csv", 2);
+  EXPECT_TRUE(contains(refusal(command + "--gap --patches a.ply", 2), "--surface"));
+  refusal(command + "--gap -o a.png --surface nothing.ply", 1);
+  refusal("simplify nothing.graphml --gap -o a.graphml", 1);
+  refusal(command + "--persistence none/a.svg", 1);
+}
+
 TEST_F(Tool, help_shows_an_example_of_each_command) {
-  for (const std::string command : {"extract", "info", "check"}) {
+  for (const std::string command : {"extract", "info", "check", "simplify"}) {
     const Outcome outcome = run(command + " --help");
     EXPECT_EQ(outcome.code, 0);
     EXPECT_TRUE(contains(outcome.out, "Example:\n  extremal_mesh " + command)) << outcome.out;

@@ -31,8 +31,9 @@ void require_patches_of(const Extremal_mesh& mesh, const Cell_patches& patches) 
   require_consistent(patches);
   for (const std::uint32_t c : patches.cell)
     if (c >= mesh.number_of_cells())
-      throw std::invalid_argument(fmt::format(
-          "a patch is in cell {}, but the extremal mesh has only {}; are they of the same one?", c, mesh.number_of_cells()));
+      throw std::invalid_argument(
+          fmt::format("a patch is in cell {}, but the extremal mesh has only {}; are they of the same one?", c,
+                      mesh.number_of_cells()));
 }
 
 Cell_patches patches_of_cell(const Cell_patches& patches, std::uint32_t cell) {

@@ -9,22 +9,14 @@
 namespace CGAL::Extremal_mesh_3 {
 
 std::vector<Check> check(const Extremal_mesh& mesh) {
-  return {check_stars(mesh),
-          check_walks(mesh),
-          check_geometry(mesh),
-          check_degrees(mesh),
-          check_families(mesh),
-          check_umbilics(mesh),
-          check_winding(mesh),
-          check_alternation(mesh),
-          check_cells(mesh),
-          check_euler(mesh),
-          check_faces(mesh),
-          check_umbilic_index(mesh),
-          check_field_index(mesh),
-          check_even_extremal_points(mesh),
-          check_border(mesh),
-          check_border_parity(mesh)};
+  return {check_stars(mesh),       check_walks(mesh),
+          check_geometry(mesh),    check_degrees(mesh),
+          check_families(mesh),    check_umbilics(mesh),
+          check_winding(mesh),     check_alternation(mesh),
+          check_cells(mesh),       check_euler(mesh),
+          check_faces(mesh),       check_umbilic_index(mesh),
+          check_field_index(mesh), check_even_extremal_points(mesh),
+          check_border(mesh),      check_border_parity(mesh)};
 }
 
 bool all_hold(const std::vector<Check>& checks) {

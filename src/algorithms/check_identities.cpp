@@ -141,7 +141,8 @@ Check check_cells(const Extremal_mesh& mesh) {
     // An open surface of genus g with b holes has χ = 2 − 2g − b.
     const int holes = int(x.boundary.size()), rest = 2 - x.euler_characteristic - holes;
     // 0 on a mesh where a line leaves a straight edge and comes back to it.
-    const bool good = x.area >= 0 && (x.sign == 1 || x.sign == -1) && (x.touches_border || (rest >= 0 && rest % 2 == 0));
+    const bool good =
+        x.area >= 0 && (x.sign == 1 || x.sign == -1) && (x.touches_border || (rest >= 0 && rest % 2 == 0));
     if (!good)
       bad.at(
           fmt::format("cell {} with χ = {}, {} boundary walks, area {:.3g}", c, x.euler_characteristic, holes, x.area),
@@ -149,7 +150,8 @@ Check check_cells(const Extremal_mesh& mesh) {
   }
   if (std::abs(area - mesh.surface().area) > 1e-9 * std::abs(area))
     bad.at(fmt::format("the areas of the cells sum to {}, the surface has {}", area, mesh.surface().area), Point{});
-  return bad.check("cells", "areas of cells are not negative, and χ = 2 − 2g − (boundary walks) with a whole genus g ≥ 0",
+  return bad.check("cells",
+                   "areas of cells are not negative, and χ = 2 − 2g − (boundary walks) with a whole genus g ≥ 0",
                    fmt::format("{} cells", mesh.number_of_cells()));
 }
 
@@ -266,10 +268,10 @@ Check check_border(const Extremal_mesh& mesh) {
         bad.at(fmt::format("{} lines end on the loop of the border with vertex {}", loop.ends, loop.vertex),
                mesh.vertex(loop.vertex).point);
   }
-  return bad.check(
-      "border", "lines end on each loop of the border an even number of times, and nowhere on a closed surface",
-      fmt::format("{} boundary vertices on {} loops of a {} surface", count(mesh, Vertex_kind::boundary), loops.size(),
-                  mesh.surface().closed ? "closed" : "bordered"));
+  return bad.check("border",
+                   "lines end on each loop of the border an even number of times, and nowhere on a closed surface",
+                   fmt::format("{} boundary vertices on {} loops of a {} surface", count(mesh, Vertex_kind::boundary),
+                               loops.size(), mesh.surface().closed ? "closed" : "bordered"));
 }
 
 Check check_border_parity(const Extremal_mesh& mesh) {

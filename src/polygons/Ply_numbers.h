@@ -83,7 +83,8 @@ inline std::size_t least_size(const Ply_header::Property& p) {
 }
 
 /// calls each(number of a property, number of an element) for each property of each element, in the file's order.
-template <typename Each> void for_each_property(const Ply_header::Element& element, Ply_numbers& numbers, const Each& each) {
+template <typename Each>
+void for_each_property(const Ply_header::Element& element, Ply_numbers& numbers, const Each& each) {
   if (element.properties.empty())
     return;
   std::size_t bytes = 0;

@@ -54,8 +54,7 @@ void Diagram::write_svg(const std::string& file) const {
     out.print(FMT_COMPILE("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n"), rounded(r.x),
               rounded(r.y), rounded(r.width), rounded(r.height), hexadecimal(r.colour));
   for (const Line& l : lines)
-    out.print(FMT_COMPILE(
-                  "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" stroke=\"{}\" stroke-width=\"{}\"{}/>\n"),
+    out.print(FMT_COMPILE("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" stroke=\"{}\" stroke-width=\"{}\"{}/>\n"),
               rounded(l.x1), rounded(l.y1), rounded(l.x2), rounded(l.y2), hexadecimal(l.colour), l.width,
               l.dashed ? fmt::format(" stroke-dasharray=\"{0} {0}\"", dash) : "");
   for (const Dots& d : dots) {

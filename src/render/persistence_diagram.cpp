@@ -22,8 +22,8 @@ constexpr int most_decades = 8;
 constexpr Colour grid{228, 230, 234}, frame{120, 124, 132}, gap_tint{255, 240, 200}, level_ink{200, 30, 40};
 
 /// of each operation.
-constexpr std::array<Colour, 6> operation_colours = {
-    Colour{31, 119, 180}, {214, 39, 160}, {255, 127, 14}, {44, 160, 44}, {140, 86, 75}, {120, 120, 120}};
+constexpr std::array<Colour, 6> operation_colours = {Colour{31, 119, 180}, {214, 39, 160}, {255, 127, 14},
+                                                     {44, 160, 44},        {140, 86, 75},  {120, 120, 120}};
 
 Colour colour_of(Simplification_operation operation) {
   return operation_colours[std::min(static_cast<std::size_t>(operation), operation_colours.size() - 1)];
@@ -88,7 +88,8 @@ void draw_axes(Diagram& diagram, const Axes& axes) {
   diagram.lines.push_back({left, top, left, bottom, 1, frame, false});
   diagram.lines.push_back({left, bottom, right, bottom, 1, frame, false});
   diagram.texts.push_back({(left + right) / 2, bottom + 38, Align::middle, "vertices left after the step"});
-  diagram.texts.push_back({14, top - 36, Align::left, "persistence: change of a curvature times the root of the area (no unit)"});
+  diagram.texts.push_back(
+      {14, top - 36, Align::left, "persistence: change of a curvature times the root of the area (no unit)"});
 }
 
 /// where the border between the steps before a level and those after is.

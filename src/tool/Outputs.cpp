@@ -56,7 +56,8 @@ Outputs::Outputs(const Output_options& options) {
   if (!options.cells.empty()) {
     const std::string extension = lower_case_extension(options.cells);
     if (extension != ".off" && extension != ".ply")
-      throw Usage_error(fmt::format("the extension of '{}' is not known; give an .off or a .ply for the cells", options.cells));
+      throw Usage_error(
+          fmt::format("the extension of '{}' is not known; give an .off or a .ply for the cells", options.cells));
     add(extension == ".off" ? Kind::patches_off : Kind::patches_ply, options.cells);
   }
   add(Kind::surface, options.surface);

@@ -32,7 +32,8 @@ void validate(const Simplify_options& options, const Outputs& outputs) {
   if (outputs.empty() && options.persistence.empty() && options.hierarchy.empty())
     throw Usage_error("there is nothing to write; give -o FILE, --persistence FILE or --hierarchy FILE");
   if (options.threshold && !(*options.threshold >= 0))
-    throw Usage_error(fmt::format("the threshold is {}; give --threshold a persistence of at least 0", *options.threshold));
+    throw Usage_error(
+        fmt::format("the threshold is {}; give --threshold a persistence of at least 0", *options.threshold));
   if (options.keep_crest && !(*options.keep_crest >= 0))
     throw Usage_error(fmt::format("the strength is {}; give --keep-crest a number of at least 0", *options.keep_crest));
   const auto refuse_negative = [](const std::optional<std::int64_t>& n, const char* what) {
@@ -46,8 +47,8 @@ void validate(const Simplify_options& options, const Outputs& outputs) {
     throw Usage_error("the patches to be written must come from somewhere; give --surface the cells.ply that 'extract "
                       "--cells' wrote");
   if (!options.persistence.empty() && !is_persistence_diagram_file(options.persistence))
-    throw Usage_error(
-        fmt::format("the extension of '{}' is not known; give --persistence an .svg, a .png or a .csv", options.persistence));
+    throw Usage_error(fmt::format("the extension of '{}' is not known; give --persistence an .svg, a .png or a .csv",
+                                  options.persistence));
 }
 
 /// without a criterion, as for a diagram only, the level at the gap.

@@ -21,8 +21,8 @@ struct Render_options {
   double dot_radius = 0;           ///< pixels; 0: 6, or less where many vertices are crowded
   double min_strength = 0;         ///< lines of less strength are drawn thinner and paler
   Cell_colouring colouring = Cell_colouring::sign; ///< of the surface
-  bool legend = true;              ///< tell what the colours mean, if there is room
-  int threads = 0;                 ///< 0: as many as there are cores. The picture does not depend on it.
+  bool legend = true;                              ///< tell what the colours mean, if there is room
+  int threads = 0; ///< 0: as many as there are cores. The picture does not depend on it.
 };
 
 /// draws surface (E_g > 0 and E_g < 0 in two tints, if not told otherwise), lines in the colours of Thirion's report (largest curvature
