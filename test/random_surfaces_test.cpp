@@ -3,46 +3,13 @@
 //
 // Ellipsoids with random cubic and quartic terms: the identities hold for every one, and the mesh depends on the
 // surface alone.
-#include <CGAL/Extremal_mesh_3/Functor_function.h>
-
 #include "dense_search.h"
 #include "graph_comparison.h"
+#include "random_surfaces.h"
 
 using namespace CGAL::Extremal_mesh_3;
 
 namespace {
-
-/// x² + b y² + c z² + (cubic and quartic terms) − 1.
-auto random_surface(unsigned seed) {
-  std::mt19937 random(seed);
-  const auto uniform = [&](double low, double high) { return low + (high - low) * (double(random()) / 4294967295.0); };
-  std::array<double, 25> t;
-  for (std::size_t i = 0; i < t.size(); ++i)
-    t[i] = uniform(-0.12, 0.12);
-  const double b = uniform(1, 2), c = uniform(1, 3);
-  return make_function([t, b, c](auto x, auto y, auto z) {
-    const auto xx = x * x, yy = y * y, zz = z * z, xy = x * y, xz = x * z, yz = y * z;
-    return xx + b * yy + c * zz - 1 + x * (t[0] * xx + t[1] * xy + t[2] * xz + t[3] * yy + t[4] * yz + t[5] * zz) +
-           y * (t[6] * yy + t[7] * yz + t[8] * zz) + t[9] * z * zz +
-           xx * (t[10] * xx + t[11] * xy + t[12] * xz + t[13] * yy + t[14] * yz + t[15] * zz) +
-           yy * (t[16] * xy + t[17] * xz + t[18] * yy + t[19] * yz + t[20] * zz) +
-           zz * (t[21] * xy + t[22] * xz + t[23] * yz + t[24] * zz);
-  });
-}
-
-/// a box with all of the component around the origin, and nothing else.
-surfaces::Box box_of(const Function_3& f) {
-  std::vector<Point> points;
-  for (int i = 0; i < 400; ++i) { // Fibonacci's spiral
-    const double z = (i + 0.5) / 200 - 1, angle = 2.399963229728653 * i, r = std::sqrt(1 - z * z);
-    const Vector d{r * std::cos(angle), r * std::sin(angle), z};
-    double t = 0;
-    while (t < 3 && f.value(surfaces::along({0, 0, 0}, t, d)) < 0)
-      t += 0.01;
-    points.push_back(surfaces::along({0, 0, 0}, t, d));
-  }
-  return surfaces::box_of(points).widened(0.02);
-}
 
 class Random_surfaces : public testing::TestWithParam<unsigned> {};
 
@@ -50,8 +17,8 @@ class Random_surfaces : public testing::TestWithParam<unsigned> {};
 
 TEST_P(Random_surfaces, have_the_same_mesh_at_two_resolutions) {
   SCOPED_TRACE("seed " + std::to_string(GetParam()));
-  const auto f = random_surface(GetParam());
-  const surfaces::Box box = box_of(f);
+  const auto f = random_surfaces::ellipsoid(GetParam());
+  const surfaces::Box box = random_surfaces::box_of(f);
   const Extraction coarse = extract_extremal_mesh(f, make_lattice(box.low, box.high, 24));
   const Extraction fine = extract_extremal_mesh(f, make_lattice(box.low, box.high, 48));
   ASSERT_EQ(coarse.mesh.surface().components, 1U);
