@@ -246,6 +246,50 @@ TEST(Cell_patches, with_two_corners_close_up) {
   EXPECT_TRUE(CGAL::is_closed(surface));
 }
 
+TEST(Cell_patches, around_a_closed_line_of_two_segments_stay_apart) {
+  // On a square two triangles between its ends and a middle point, on both sides of what was an edge.
+  Cell_patches patches;
+  patches.points = {{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, -1, 0}};
+  patches.normals.assign(5, {0, 0, 1});
+  patches.corners = {0, 1, 3, 0, 2, 1, 1, 0, 4, 1, 2, 0};
+  patches.begin = {0, 3, 6, 9, 12};
+  patches.cell = {5, 6, 5, 6};
+  Surface surface;
+  make_cell_surface(patches, surface);
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(surface));
+  EXPECT_EQ(surface.number_of_vertices(), 6U);
+  EXPECT_EQ(surface.number_of_edges(), 9U);
+  EXPECT_EQ(surface.number_of_faces(), 4U);
+  const auto cell = cells_of(surface);
+  for (const Face f : surface.faces())
+    EXPECT_EQ(cell[f], patches.cell[f.idx()]);
+  for (const auto e : surface.edges())
+    if (!surface.is_border(e)) {
+      const auto h = surface.halfedge(e);
+      const bool along = surface.point(surface.source(h)).y() == 0 && surface.point(surface.target(h)).y() == 0;
+      EXPECT_TRUE(along);
+    }
+}
+
+TEST(Cell_patches, of_a_noisy_scan_are_a_closed_surface_too) {
+  // Waves of the size of the lattice's cubes: tiny closed lines, cells that meet themselves.
+  Extraction_options options;
+  options.patches = true;
+  options.max_level = 3;
+  options.max_line_level = 0;
+  const Extraction extraction =
+      extract_extremal_mesh(Formula("x^2+1.3*y^2+1.7*z^2-1+0.02*sin(19*x+3*y)*cos(17*y-5*z)+0.02*sin(23*z+2*x)"),
+                            make_lattice({-1.2, -1.2, -1.2}, {1.2, 1.2, 1.2}, 24), options);
+  ASSERT_GT(extraction.mesh.number_of_cells(), 300U);
+  Surface surface;
+  make_cell_surface(extraction.patches, surface);
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(surface));
+  EXPECT_TRUE(CGAL::is_closed(surface));
+  EXPECT_EQ(std::int64_t(surface.number_of_vertices()) - std::int64_t(surface.number_of_edges()) +
+                std::int64_t(surface.number_of_faces()),
+            extraction.mesh.surface().euler_characteristic);
+}
+
 TEST(Cell_patches, that_make_no_sense_are_refused) {
   const Cell_patches good = hand_made::octants(2);
   Surface surface;

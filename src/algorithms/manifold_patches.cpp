@@ -3,6 +3,7 @@
 #include <CGAL/Extremal_mesh_3/internal/manifold_patches.h>
 
 #include "../cells/Union_find.h"
+#include "../differential/vector.h"
 #include "patches.h"
 
 #include <algorithm>
@@ -54,33 +55,56 @@ std::vector<Side> sorted_sides(const Cell_patches& patches) {
 
 Cell_patches manifold_patches(const Cell_patches& patches) {
   require_consistent(patches);
-  Cell_patches result = without_two_sided(patches);
+  const Cell_patches given = without_two_sided(patches);
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   // Corners become one point if one comes from the other by going around it, across sides that two polygons share.
-  Union_find fans(result.corners.size());
-  const std::vector<Side> sides = sorted_sides(result);
+  Union_find fans(given.corners.size());
+  std::vector<std::uint32_t> twin(given.corners.size(), none); // of sides that need a point of their own
+  const std::vector<Side> sides = sorted_sides(given);
   for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
     while (last < sides.size() && sides[last].low == sides[first].low && sides[last].high == sides[first].high)
       ++last;
-    if (last - first != 2 || sides[first].reversed == sides[first + 1].reversed)
-      continue;
-    fans.unite(sides[first].corner, sides[first + 1].next);
-    fans.unite(sides[first].next, sides[first + 1].corner);
-  }
-  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> point_of_fan(result.corners.size(), none);
-  std::vector<Point> points;
-  std::vector<Vector> normals;
-  for (std::uint32_t c = 0; c < result.corners.size(); ++c) {
-    std::uint32_t& point = point_of_fan[fans.find(c)];
-    if (point == none) {
-      point = std::uint32_t(points.size());
-      points.push_back(result.points[result.corners[c]]);
-      normals.push_back(result.normals[result.corners[c]]);
+    // Of a small closed line that crosses an edge of the extraction's polygons twice, both sides join the same points.
+    // The pieces of such a polygon follow each other.
+    for (std::size_t i = first; i + 1 < last; i += 2) {
+      const Side &a = sides[i], &b = sides[i + 1];
+      if ((last - first) % 2 != 0 || a.reversed == b.reversed)
+        continue;
+      fans.unite(a.corner, b.next);
+      fans.unite(a.next, b.corner);
+      if (i > first) {
+        twin[a.corner] = b.corner;
+        twin[b.corner] = a.corner;
+      }
     }
-    result.corners[c] = point;
   }
-  result.points = std::move(points);
-  result.normals = std::move(normals);
+
+  Cell_patches result;
+  result.cell = given.cell;
+  std::vector<std::uint32_t> point_of_fan(given.corners.size(), none), middle(given.corners.size(), none);
+  const auto add_point = [&](const Point& p, const Vector& n) {
+    result.points.push_back(p);
+    result.normals.push_back(n);
+    return std::uint32_t(result.points.size() - 1);
+  };
+  for (std::size_t i = 0; i < given.cell.size(); ++i) {
+    for (std::size_t j = given.begin[i]; j < given.begin[i + 1]; ++j) {
+      const auto c = std::uint32_t(j);
+      const std::uint32_t here = given.corners[c];
+      std::uint32_t& point = point_of_fan[fans.find(c)];
+      if (point == none)
+        point = add_point(given.points[here], given.normals[here]);
+      result.corners.push_back(point);
+      if (twin[c] == none)
+        continue;
+      if (middle[c] == none) {
+        const std::uint32_t there = given.corners[j + 1 < given.begin[i + 1] ? j + 1 : given.begin[i]];
+        middle[c] = middle[twin[c]] = add_point(0.5 * (given.points[here] + given.points[there]), given.normals[here]);
+      }
+      result.corners.push_back(middle[c]);
+    }
+    result.begin.push_back(result.corners.size());
+  }
   return result;
 }
 

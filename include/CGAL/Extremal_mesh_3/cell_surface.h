@@ -22,7 +22,8 @@ namespace CGAL::Extremal_mesh_3 {
 
 /// adds the surface that was cut along the extremal lines to a mesh of CGAL's: a face for each polygon, counter-clockwise seen
 /// from the normals' side. Polygons share vertices, so that the surface is closed where the original is, and an edge between faces
-/// of different cells is a piece of a line. `CGAL::Surface_mesh` gets a property map "f:cell" of `std::uint32_t`, the
+/// of different cells is a piece of a line: one segment of it, or half of one where otherwise two edges would join the same
+/// vertices. `CGAL::Surface_mesh` gets a property map "f:cell" of `std::uint32_t`, the
 /// cell in which a face is.
 ///
 /// `patches_of_cell()` and `triangulate()` make other patches to give here: one cell, triangles.

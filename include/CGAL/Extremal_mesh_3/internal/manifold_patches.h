@@ -7,10 +7,11 @@
 
 namespace CGAL::Extremal_mesh_3::internal {
 
-/// the same surface as an oriented manifold, with the points that polygons use only. Where polygons meet in a point but
-/// not around it, as those of one cell do on both sides of an extremal point, each fan of them gets a point of its own;
-/// where more than two meet along an edge, they are opened there. Polygons of two corners, which have no area, are left out:
-/// their sides coincide. O(n log n).
+/// the same surface as an oriented manifold, with the points that polygons use only, in which no two edges join the same
+/// points. Where polygons meet in a point but not around it, as those of one cell do on both sides of an extremal point,
+/// each fan of them gets a point of its own. Where 2n polygons meet along an edge, these are n edges in the same place: all
+/// but one get a point in their middle. Polygons of two corners, which have no area, are left out: their sides
+/// coincide. O(n log n).
 /// \throws std::invalid_argument if the arrays do not fit together
 Cell_patches manifold_patches(const Cell_patches& patches);
 
