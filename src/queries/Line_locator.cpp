@@ -3,7 +3,8 @@
 //
 // The cell that holds a point, from the graph alone: the straight way from the point to the nearest point of the lines
 // crosses no other line, so the point is in the cell on that side of it. After a simplification lines can run along the
-// same points, beside each other; then each of them tells a cell, and all but one of these are between two of the lines.
+// same points, beside each other, and back and forth. Then each of them tells a cell, and all but one of these are
+// between two of the lines.
 #include <CGAL/Extremal_mesh_3/Line_locator.h>
 
 #include "../cgal/Box_tree.h"
@@ -15,6 +16,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -45,9 +47,10 @@ Vector direction(const Vector& v) {
   return length > 0 ? (1 / length) * v : Vector{};
 }
 
-/// Where a point is, seen from a line beside it.
+/// Where a point is, seen from a line beside it, or from a vertex.
 struct Beside {
-  std::uint32_t here = 0, beyond = 0; ///< the cells on its own side of the line and on the other
+  std::uint32_t here = 0;            ///< the cell on its own side of the line
+  std::vector<std::uint32_t> beyond; ///< the cells on the other side; of a vertex those beside that one
 };
 
 } // namespace
@@ -69,8 +72,9 @@ struct Line_locator::Data {
   Vector normal_at(const Line_point& q) const;
   std::vector<Line_point> nearest(const Point& p, const std::optional<Vector>& normal) const;
   std::optional<std::uint32_t> vertex_at(const Line_point& q) const;
-  std::uint32_t cell_in_star(const Point& p, std::uint32_t v) const;
-  Beside beside(const Point& p, const Line_point& q) const;
+  Beside in_star(const Point& p, std::uint32_t v) const;
+  std::optional<Beside> beside(const Point& p, const Line_point& q) const;
+  std::vector<Beside> all_beside(const Point& p, const std::vector<Line_point>& nearest) const;
 
   Extremal_mesh mesh;
   std::vector<Segment> segments;
@@ -159,8 +163,8 @@ std::optional<std::uint32_t> Line_locator::Data::vertex_at(const Line_point& q) 
   return std::nullopt;
 }
 
-/// the cell of a point whose nearest point is a vertex: beside the branch that leaves in the most similar direction.
-std::uint32_t Line_locator::Data::cell_in_star(const Point& p, std::uint32_t v) const {
+/// for a point whose nearest point is a vertex: beside the branch that leaves in the most similar direction.
+Beside Line_locator::Data::in_star(const Point& p, std::uint32_t v) const {
   const Extremal_mesh_vertex& vertex = mesh.vertex(v);
   const auto& star = vertex.star;
   const Vector x = any_orthogonal(vertex.normal), y = cross(vertex.normal, x);
@@ -180,10 +184,13 @@ std::uint32_t Line_locator::Data::cell_in_star(const Point& p, std::uint32_t v) 
   const std::size_t n = star.size(), step = turn >= 0 ? 1 : n - 1;
   for (std::size_t k = 1; k < n && turns[(i + step) % n] == turn; ++k)
     i = (i + step) % n;
-  return mesh.left_cell(turn >= 0 ? star[i] : star[i] ^ 1U);
+  const Half_edge this_side = turn >= 0 ? star[i] : star[i] ^ 1U;
+  const Half_edge other_side = turn >= 0 ? star[(i + step) % n] ^ 1U : star[(i + step) % n];
+  return {mesh.left_cell(this_side), {mesh.left_cell(this_side ^ 1U), mesh.left_cell(other_side ^ 1U)}};
 }
 
-Beside Line_locator::Data::beside(const Point& p, const Line_point& q) const {
+/// nothing if the line turns back there: all around is on one side of it, and only its course elsewhere tells on which.
+std::optional<Beside> Line_locator::Data::beside(const Point& p, const Line_point& q) const {
   const Extremal_mesh_edge& edge = mesh.edge(q.edge);
   const auto& line = edge.polyline;
   Vector tangent = direction(line[q.segment + 1] - line[q.segment]);
@@ -192,8 +199,28 @@ Beside Line_locator::Data::beside(const Point& p, const Line_point& q) const {
     tangent = tangent + direction(line[q.segment] - line[q.segment - 1]);
   if (q.t == 1 && q.segment + 2 < line.size())
     tangent = tangent + direction(line[q.segment + 2] - line[q.segment + 1]);
+  constexpr double turns_back = 1e-6; // far less than at any corner of a line on a surface, far more than rounding
+  if (norm(tangent) < turns_back)
+    return std::nullopt;
   const bool left = dot(cross(normal_at(q), tangent), p - q.point) >= 0;
-  return left ? Beside{edge.left_cell, edge.right_cell} : Beside{edge.right_cell, edge.left_cell};
+  return left ? Beside{edge.left_cell, {edge.right_cell}} : Beside{edge.right_cell, {edge.left_cell}};
+}
+
+/// what each vertex, and each line as often as it comes along, tells.
+std::vector<Beside> Line_locator::Data::all_beside(const Point& p, const std::vector<Line_point>& nearest) const {
+  std::vector<Beside> all;
+  std::set<std::uint32_t> vertices;
+  std::set<std::pair<std::uint32_t, std::size_t>> places; // the end of a segment is the start of the next
+  for (const Line_point& q : nearest) {
+    if (const auto v = vertex_at(q)) {
+      if (vertices.insert(*v).second && !mesh.vertex(*v).star.empty())
+        all.push_back(in_star(p, *v));
+    } else if (places.emplace(q.edge, 2 * q.segment + (q.t == 0 ? 0 : q.t == 1 ? 2 : 1)).second) {
+      if (const auto cells = beside(p, q))
+        all.push_back(*cells);
+    }
+  }
+  return all;
 }
 
 Line_locator::Line_locator(Extremal_mesh mesh) : data_(std::make_unique<Data>(std::move(mesh))) {}
@@ -231,23 +258,20 @@ std::optional<std::uint32_t> Line_locator::cell_at(const Point& p, const std::op
   const std::vector<Line_point> nearest = data_->nearest(p, unit_normal);
   if (nearest.empty())
     return data_->mesh.number_of_cells() == 1 ? std::optional<std::uint32_t>(0) : std::nullopt;
-  for (const Line_point& q : nearest)
-    if (const auto v = data_->vertex_at(q); v && !data_->mesh.vertex(*v).star.empty())
-      return data_->cell_in_star(p, *v);
-
-  // Each line once. A cell between two lines is told by one and lies beyond the other.
+  // A cell between two lines is told by one and lies beyond the other.
+  const std::vector<Beside> all = data_->all_beside(p, nearest);
+  if (all.empty())
+    return data_->mesh.edge(nearest.front().edge)
+        .left_cell; // all lines turn back there, which those of a surface do not
   std::map<std::uint32_t, int> votes;
-  std::vector<std::uint32_t> told, asked;
-  for (const Line_point& q : nearest) {
-    if (std::find(asked.begin(), asked.end(), q.edge) != asked.end())
-      continue;
-    asked.push_back(q.edge);
-    const Beside cells = data_->beside(p, q);
-    told.push_back(cells.here);
+  for (const Beside& cells : all) {
     ++votes[cells.here];
-    --votes[cells.beyond];
+    for (const std::uint32_t c : cells.beyond)
+      --votes[c];
   }
-  return *std::max_element(told.begin(), told.end(), [&](auto a, auto b) { return votes[a] < votes[b]; });
+  return std::max_element(all.begin(), all.end(),
+                          [&](const Beside& a, const Beside& b) { return votes[a.here] < votes[b.here]; })
+      ->here;
 }
 
 } // namespace CGAL::Extremal_mesh_3
