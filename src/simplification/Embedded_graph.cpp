@@ -52,7 +52,8 @@ Embedded_graph::Embedded_graph(const Extremal_mesh& mesh)
   previous_.resize(half_edges);
   cell_.resize(half_edges);
   for (const Extremal_mesh_cell& c : mesh.cells())
-    cells_.push_back({c.sign, c.euler_characteristic, c.touches_border, c.area, c.weight});
+    cells_.emplace_back(Cell{c.sign, c.euler_characteristic, c.touches_border, c.area, c.weight});
+  sides_.resize(cells_.size());
   for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
     edges_.push_back(measured(mesh.edge(e), mesh.surface().area));
     for (const Half_edge h : {2 * e, 2 * e + 1}) {
@@ -63,7 +64,10 @@ Embedded_graph::Embedded_graph(const Extremal_mesh& mesh)
   for (std::uint32_t v = 0; v < mesh.number_of_vertices(); ++v) {
     const Extremal_mesh_vertex& x = mesh.vertex(v);
     Vertex& vertex = vertices_.emplace_back(
-        Vertex{x.kind, int(std::lround(2 * x.umbilic_index)), x.field_index, true, false, 0, none, none, none});
+        Vertex{x.kind, int(std::lround(2 * x.umbilic_index)), x.field_index});
+    vertex.point = x.point;
+    vertex.k1 = x.k1;
+    vertex.k2 = x.k2;
     vertex.degree = std::uint32_t(x.star.size());
     vertex.first = x.star.empty() ? none : x.star.front();
     for (std::size_t i = 0; i < x.star.size(); ++i) {
@@ -93,6 +97,14 @@ std::vector<Half_edge> Embedded_graph::star(std::uint32_t v) const {
   return result;
 }
 
+std::vector<Half_edge> Embedded_graph::sides(std::uint32_t root) const {
+  std::vector<Half_edge> result;
+  for (const Half_edge h : sides_[root])
+    if (edges_[h / 2].alive && left_cell(h) == root)
+      result.push_back(h);
+  return result;
+}
+
 std::vector<std::uint32_t> Embedded_graph::numbered_cells() const {
   std::vector<std::uint32_t> number(cells_.size());
   std::uint32_t count = 0;
@@ -107,6 +119,7 @@ void Embedded_graph::add_side(Half_edge h, std::uint32_t cell) {
   cell_[h] = cell;
   ++cells_[cell].sides;
   cells_[cell].exclusive_or ^= h;
+  sides_[cell].push_back(h);
 }
 
 void Embedded_graph::remove_side(Half_edge h) {
@@ -160,6 +173,12 @@ void Embedded_graph::merge_cells(std::uint32_t kept, std::uint32_t other, int eu
     merged.exclusive_or ^= c.exclusive_or;
     cells_of_.unite(kept, other);
     --alive_cells_;
+    const std::uint32_t root = cells_of_.find(kept), absorbed = root == kept ? other : kept;
+    if (sides_[root].size() < sides_[absorbed].size())
+      std::swap(sides_[root], sides_[absorbed]);
+    sides_[root].insert(sides_[root].end(), sides_[absorbed].begin(), sides_[absorbed].end());
+    sides_[absorbed] = {};
+    merged_cells.emplace_back(absorbed, root);
   }
   merged.euler_characteristic = euler_characteristic;
   cells_[cells_of_.find(kept)] = merged;
@@ -236,7 +255,10 @@ Half_edge Embedded_graph::detach(Half_edge a, Half_edge b, double difference) {
     remove_from_star(a);
     remove_from_star(b);
     const auto anchor = std::uint32_t(vertices_.size());
-    vertices_.push_back({Vertex_kind::anchor, 0, 0, true, false, 2, a, none, none});
+    Vertex& x = vertices_.emplace_back(Vertex{Vertex_kind::anchor, 0, 0});
+    x.degree = 2;
+    x.first = a;
+    x.point = vertices_[v].point;
     ++alive_vertices_;
     source_[a] = source_[b] = anchor;
     next_[a] = previous_[a] = b;
@@ -287,6 +309,20 @@ void Embedded_graph::drop_closed_line(Half_edge h) {
   kill_vertex(source(h));
   kill_edge(h / 2);
   merge_cells(outside, inside, cells_[outside].euler_characteristic + cells_[inside].euler_characteristic);
+}
+
+void Embedded_graph::remove_disk(const std::vector<std::uint32_t>& vertices, const std::vector<std::uint32_t>& edges,
+                                 const std::vector<std::uint32_t>& inner, std::uint32_t outer) {
+  const int euler_characteristic = cells_[outer].euler_characteristic + 1;
+  for (const std::uint32_t e : edges) {
+    remove_side(2 * e);
+    remove_side(2 * e + 1);
+    kill_edge(e);
+  }
+  for (const std::uint32_t v : vertices)
+    kill_vertex(v);
+  for (const std::uint32_t c : inner)
+    merge_cells(root(outer), root(c), euler_characteristic);
 }
 
 void Embedded_graph::drop_border_line(Half_edge h) {

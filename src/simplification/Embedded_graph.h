@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Extremal_mesh_3 {
@@ -26,6 +27,8 @@ public:
     bool frozen = false;    ///< its branches contradict its indices: nothing is done to it
     std::uint32_t degree = 0;
     Half_edge first = none; ///< some half-edge of the star
+    Point point{};
+    double k1 = 0, k2 = 0;
     std::uint32_t next_on_border = none, previous_on_border = none;
   };
   struct Edge {
@@ -66,10 +69,13 @@ public:
   int family(Half_edge h) const { return edges_[h / 2].family; }
   std::uint32_t left_cell(Half_edge h) const { return cells_of_.find(cell_[h]); }
   const Cell& cell(std::uint32_t root) const { return cells_[root]; }
+  std::uint32_t root(std::uint32_t cell) const { return cells_of_.find(cell); }
   /// the half-edges that leave a vertex, counter-clockwise.
   std::vector<Half_edge> star(std::uint32_t v) const;
   /// the walk of a half-edge.
   Walks::Walk walk(Half_edge h) const { return edges_[h / 2].walk ^ (h % 2); }
+  /// the half-edges that have a cell on their left, in no order.
+  std::vector<Half_edge> sides(std::uint32_t root) const;
   /// for each cell of the mesh, the cell it is part of now, numbered 0, 1, ….
   std::vector<std::uint32_t> numbered_cells() const;
 
@@ -94,12 +100,17 @@ public:
   void dissolve(std::uint32_t v, double difference);
   /// removes a closed line with its anchor; the cell on the left of `h`, a disk, becomes part of that on its right.
   void drop_closed_line(Half_edge h);
+  /// removes vertices with all their edges, which together with the cells `inner` make up a disk in the cell `outer`.
+  void remove_disk(const std::vector<std::uint32_t>& vertices, const std::vector<std::uint32_t>& edges,
+                   const std::vector<std::uint32_t>& inner, std::uint32_t outer);
   /// removes a line from border to border with both its ends; the cell on the left becomes part of that on the right.
   void drop_border_line(Half_edge h);
   /// @}
 
+  /// which cells became part of which, in order; to be cleared by the caller.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> merged_cells;
+
 private:
-  void insert_before(Half_edge h, Half_edge position);
   void remove_from_star(Half_edge h);
   void replace_in_star(Half_edge old, Half_edge h);
   void add_side(Half_edge h, std::uint32_t cell);
@@ -113,6 +124,7 @@ private:
   std::vector<Vertex> vertices_;
   std::vector<Edge> edges_;
   std::vector<Cell> cells_; ///< valid at the roots of `cells_of_`
+  std::vector<std::vector<Half_edge>> sides_; ///< of each root, with some that are no more
   mutable Union_find cells_of_;
   std::vector<std::uint32_t> source_, cell_;
   std::vector<Half_edge> next_, previous_;

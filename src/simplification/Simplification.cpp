@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Simplifier.h"
 #include "build_mesh.h"
+#include "islands.h"
 
 #include <CGAL/Extremal_mesh_3/simplify.h>
 
@@ -22,6 +23,8 @@ std::string_view to_string(Simplification_operation operation) {
     return "cancel_umbilics";
   case Simplification_operation::merge_vertices:
     return "merge_vertices";
+  case Simplification_operation::cancel_islands:
+    return "cancel_islands";
   case Simplification_operation::drop_closed_line:
     return "drop_closed_line";
   case Simplification_operation::drop_border_line:
@@ -29,6 +32,25 @@ std::string_view to_string(Simplification_operation operation) {
   }
   return "unknown";
 }
+
+namespace {
+
+/// the vertices that a step may make vanish.
+std::vector<std::uint32_t> involved_in(const Embedded_graph& graph, const Candidate& step) {
+  std::vector<std::uint32_t> result = {graph.source(step.first), graph.target(step.first)};
+  if (step.operation == Simplification_operation::cancel_islands) {
+    result.clear();
+    for (const Half_edge h : {step.first, step.second}) {
+      const std::vector<std::uint32_t> vertices = find_island(graph, graph.source(h)).value().vertices;
+      result.insert(result.end(), vertices.begin(), vertices.end());
+    }
+  } else if (step.second != Embedded_graph::none) {
+    result.push_back(graph.target(step.second));
+  }
+  return result;
+}
+
+} // namespace
 
 struct Simplification::Data {
   Extremal_mesh mesh;
@@ -83,9 +105,7 @@ void Simplification::Data::find_steps() {
   while (const std::optional<Candidate> next = finder.next()) {
     persistence = std::max(persistence, std::sqrt(mesh.surface().area) * next->cost);
     Simplification_step step{next->operation, persistence, place(graph.source(next->first)), {}, 0, 0, 0};
-    std::vector<std::uint32_t> involved = {graph.source(next->first), graph.target(next->first)};
-    if (next->second != Embedded_graph::none)
-      involved.push_back(graph.target(next->second));
+    std::vector<std::uint32_t> involved = involved_in(graph, *next);
     simplifier.apply(*next);
     std::sort(involved.begin(), involved.end());
     involved.erase(std::unique(involved.begin(), involved.end()), involved.end());
@@ -97,6 +117,9 @@ void Simplification::Data::find_steps() {
     step.cells = graph.number_of_cells();
     steps.push_back(std::move(step));
     done.push_back(*next);
+    for (const auto& [absorbed, root] : simplifier.merged_cells())
+      finder.merge_islands(absorbed, root);
+    simplifier.merged_cells().clear();
     std::vector<std::uint32_t>& touched = simplifier.touched;
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
@@ -113,6 +136,7 @@ Embedded_graph Simplification::Data::graph_at(std::size_t level) const {
   for (std::size_t i = 0; i < level; ++i) {
     simplifier.apply(done[i]);
     simplifier.touched.clear();
+    simplifier.merged_cells().clear();
   }
   return simplifier.graph();
 }

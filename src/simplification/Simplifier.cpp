@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Simplifier.h"
 
-#include "indices.h"
+#include "../differential/vector.h"
+#include "islands.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace CGAL::Extremal_mesh_3 {
@@ -32,16 +34,16 @@ void Simplifier::apply(const Candidate& step) {
   using Operation = Simplification_operation;
   const Half_edge h = step.first;
   if (step.operation == Operation::drop_closed_line || step.operation == Operation::drop_border_line) {
-    const Half_edge beyond = h ^ 1U;
+    const Half_edge outside = h ^ 1U;
     if (step.operation == Operation::drop_closed_line)
       graph_.drop_closed_line(h);
     else
       graph_.drop_border_line(h);
-    const Embedded_graph::Cell& c = graph_.cell(graph_.left_cell(beyond));
-    if (c.sides == 1)
-      touched.push_back(graph_.source(c.exclusive_or));
+    touch_sides(graph_.left_cell(outside));
     return;
   }
+  if (step.operation == Operation::cancel_islands)
+    return cancel_islands(step);
   const std::uint32_t v = graph_.source(h);
   const Contracted contracted = {step.operation == Operation::cancel_extremal_points ? graph_.family(h) : 0,
                                  step.operation == Operation::cancel_umbilics, graph_.edges()[h / 2].difference};
@@ -49,6 +51,23 @@ void Simplifier::apply(const Candidate& step) {
   if (step.second != Embedded_graph::none)
     graph_.contract(step.second);
   reduce(v, contracted);
+}
+
+void Simplifier::cancel_islands(const Candidate& step) {
+  const Island a = find_island(graph_, graph_.source(step.first)).value();
+  const Island b = find_island(graph_, graph_.source(step.second)).value();
+  graph_.remove_disk(a.vertices, a.edges, a.inner, a.outer);
+  const std::uint32_t outer = graph_.root(a.outer);
+  graph_.remove_disk(b.vertices, b.edges, b.inner, outer);
+  touch_sides(graph_.root(outer));
+}
+
+/// what is beside a small cell that has changed.
+void Simplifier::touch_sides(std::uint32_t cell) {
+  constexpr std::uint32_t small = 64;
+  if (graph_.cell(cell).sides <= small)
+    for (const Half_edge h : graph_.sides(cell))
+      touched.push_back(graph_.source(h));
 }
 
 void Simplifier::touch_ends_of_star(std::uint32_t v) {
@@ -126,7 +145,7 @@ bool Step_finder::Dearer::operator()(const Candidate& a, const Candidate& b) con
   return a.first != b.first ? a.first > b.first : a.second > b.second;
 }
 
-Step_finder::Step_finder(const Embedded_graph& graph) : graph_(graph) {
+Step_finder::Step_finder(const Embedded_graph& graph) : graph_(graph), islands_(graph.number_of_cells()) {
   for (std::uint32_t v = 0; v < graph.vertices().size(); ++v)
     look_around(v);
 }
@@ -158,12 +177,15 @@ std::optional<Candidate> Step_finder::evaluate(const Candidate& candidate) const
     return pair(candidate.first);
   if (!graph_.edges()[candidate.second / 2].alive)
     return std::nullopt;
+  if (candidate.operation == Operation::cancel_islands)
+    return islands(graph_.source(candidate.first), graph_.source(candidate.second));
   return triple(candidate.first, candidate.second);
 }
 
 void Step_finder::look_around(std::uint32_t vertex) {
   if (!graph_.vertices()[vertex].alive)
     return;
+  look_for_island(vertex, true);
   const std::vector<Half_edge> star = graph_.star(vertex);
   for (const Half_edge h : star) {
     push(pair(h));
@@ -179,6 +201,60 @@ void Step_finder::look_around(std::uint32_t vertex) {
         push(triple(other, h ^ 1U));
       }
   }
+}
+
+void Step_finder::look_for_island(std::uint32_t vertex, bool around) {
+  const std::optional<Island> island = find_island(graph_, vertex);
+  if (!island)
+    return;
+  const std::uint32_t first = *std::min_element(island->vertices.begin(), island->vertices.end());
+  std::vector<std::uint32_t>& others = islands_[island->outer];
+  if (std::find(others.begin(), others.end(), first) == others.end()) {
+    for (const std::uint32_t other : others)
+      push(islands(first, other));
+    others.push_back(first);
+  }
+  // What lies around it in a small cell may enclose it, and be an island, too.
+  constexpr std::uint32_t small = 64;
+  if (around && graph_.cell(island->outer).sides <= small)
+    for (const Half_edge h : graph_.sides(island->outer))
+      look_for_island(graph_.source(h), false);
+}
+
+void Step_finder::merge_islands(std::uint32_t absorbed, std::uint32_t root) {
+  std::vector<std::uint32_t> a = std::move(islands_[absorbed]), b = std::move(islands_[root]);
+  islands_[absorbed].clear();
+  const auto gone = [&](std::uint32_t v) { return !graph_.vertices()[v].alive; };
+  std::erase_if(a, gone);
+  std::erase_if(b, gone);
+  for (const std::uint32_t x : a)
+    for (const std::uint32_t y : b)
+      push(islands(x, y));
+  b.insert(b.end(), a.begin(), a.end());
+  islands_[root] = std::move(b);
+}
+
+std::optional<Candidate> Step_finder::islands(std::uint32_t a, std::uint32_t b) const {
+  if (!graph_.vertices()[a].alive || !graph_.vertices()[b].alive)
+    return std::nullopt;
+  const std::optional<Island> x = find_island(graph_, a), y = find_island(graph_, b);
+  if (!x || !y || x->outer != y->outer || std::find(x->vertices.begin(), x->vertices.end(), b) != x->vertices.end() ||
+      !(x->sum + y->sum == Indices{}) || x->sum == Indices{})
+    return std::nullopt;
+  // The curvatures at the two must become equal, and so must k1 and k2 on a way between them: |E_g| tells how much they
+  // change on it.
+  const Embedded_graph::Cell& cell = graph_.cell(x->outer);
+  const double mean_root = cell.area > 0 ? cell.weight / cell.area : 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t u : x->vertices)
+    for (const std::uint32_t w : y->vertices) {
+      const Embedded_graph::Vertex &p = graph_.vertices()[u], &q = graph_.vertices()[w];
+      if (p.kind != Vertex_kind::anchor && q.kind != Vertex_kind::anchor)
+        least = std::min(least, std::max({std::abs(p.k1 - q.k1), std::abs(p.k2 - q.k2),
+                                          mean_root * distance(p.point, q.point)}));
+    }
+  return Candidate{Simplification_operation::cancel_islands, least, graph_.vertices()[std::min(a, b)].first,
+                   graph_.vertices()[std::max(a, b)].first};
 }
 
 /// by how much k_j, or k1 − k2 where that is less, must change along an edge to take its ends together.

@@ -21,8 +21,8 @@ namespace CGAL::Extremal_mesh_3 {
 struct Candidate {
   Simplification_operation operation{};
   double cost = 0; ///< a difference of curvatures, in 1/length
-  /// the edges that are contracted into the source of `first` (`second` none but when three vertices are merged), or
-  /// the line that is dropped, with what vanishes on its left
+  /// the edges that are contracted into the source of `first` (`second` none but when three vertices are merged); or
+  /// the line that is dropped, with what vanishes on its left; or a half-edge of either island
   Half_edge first = Embedded_graph::none, second = Embedded_graph::none;
 };
 
@@ -36,9 +36,10 @@ public:
   void apply(const Candidate& step);
   const Embedded_graph& graph() const { return graph_; }
 
-  /// the vertices whose stars the last steps changed, and cells that may have become disks; to be cleared by the
-  /// caller.
+  /// the vertices around which the last steps changed something; to be cleared by the caller.
   std::vector<std::uint32_t> touched;
+  /// which cells became part of which.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>>& merged_cells() { return graph_.merged_cells; }
 
 private:
   /// how k_j changes along the line that two branches become.
@@ -49,7 +50,9 @@ private:
   };
   void reduce(std::uint32_t v, const Contracted& contracted);
   double difference(Half_edge a, Half_edge b, const Contracted& contracted) const;
+  void cancel_islands(const Candidate& step);
   void touch_ends_of_star(std::uint32_t v);
+  void touch_sides(std::uint32_t cell);
 
   Embedded_graph graph_;
 };
@@ -62,8 +65,10 @@ public:
 
   /// the cheapest step that is possible now; none if there is none.
   std::optional<Candidate> next();
-  /// to be told of every vertex whose star has changed.
+  /// to be told of every vertex around which something has changed.
   void look_around(std::uint32_t vertex);
+  /// to be told of every cell that has become part of another one.
+  void merge_islands(std::uint32_t absorbed, std::uint32_t root);
 
 private:
   struct Dearer {
@@ -74,11 +79,14 @@ private:
   std::optional<Candidate> pair(Half_edge h) const;
   std::optional<Candidate> triple(Half_edge first, Half_edge second) const;
   std::optional<Candidate> drop(Half_edge h) const;
+  std::optional<Candidate> islands(std::uint32_t a, std::uint32_t b) const;
+  void look_for_island(std::uint32_t vertex, bool around);
   std::optional<Candidate> evaluate(const Candidate& candidate) const;
   double cost_of(std::uint32_t edge) const;
   bool all_free(std::uint32_t vertex) const;
 
   const Embedded_graph& graph_;
+  std::vector<std::vector<std::uint32_t>> islands_; ///< in each cell: the first vertices of those it is the outer cell of
   std::priority_queue<Candidate, std::vector<Candidate>, Dearer> queue_;
 };
 
