@@ -269,9 +269,13 @@ std::optional<std::uint32_t> Line_locator::cell_at(const Point& p, const std::op
     for (const std::uint32_t c : cells.beyond)
       --votes[c];
   }
-  return std::max_element(all.begin(), all.end(),
-                          [&](const Beside& a, const Beside& b) { return votes[a.here] < votes[b.here]; })
-      ->here;
+  std::vector<std::uint32_t> best;
+  for (const Beside& cells : all)
+    if (best.empty() || votes[cells.here] > votes[best.front()])
+      best = {cells.here};
+    else if (votes[cells.here] == votes[best.front()] && cells.here != best.front())
+      best.push_back(cells.here);
+  return best.size() == 1 ? std::optional(best.front()) : std::nullopt;
 }
 
 } // namespace CGAL::Extremal_mesh_3

@@ -55,7 +55,9 @@ public:
   /// own lines, and on a component of the surface that has no line. `Patch_locator` has no such exceptions.
   /// \param normal  of the surface at `p`, of any length, if it is known: lines on sheets with another normal (by more than
   ///                120°) are then passed over
-  /// \return nothing if there are no lines (on that side) and several cells, or none
+  /// \return nothing if there are no lines (with such a normal), unless there is but one cell; nor if after a simplification two
+  ///         lines run along the same points with one cell outside on both sides and another between them: then the lines
+  ///         do not tell which is which
   std::optional<std::uint32_t> cell_at(const Point& p, const std::optional<Vector>& normal = std::nullopt) const;
   /// @}
 
