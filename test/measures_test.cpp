@@ -55,20 +55,37 @@ template <typename Value> Sorted for_each(std::size_t number, const Value& value
   return values;
 }
 
+/// whether a line reaches an umbilic. |∇e·t| grows there like one over the distance, so that its integral has no limit: the
+/// sharpness depends on how near the polyline's points come.
+bool reaches_umbilic(const Extremal_mesh& mesh, const Extremal_line& line) {
+  return std::any_of(line.half_edges.begin(), line.half_edges.end(), [&](Half_edge h) {
+    return mesh.vertex(mesh.source(h)).kind == Vertex_kind::umbilic ||
+           mesh.vertex(mesh.target(h)).kind == Vertex_kind::umbilic;
+  });
+}
+
 /// expects that the measures of `b` are those of `a` on a surface `scale` times as large.
-void expect_scaled_measures(const Extremal_mesh& a, const Extremal_mesh& b, double scale, double tolerance) {
-  const std::vector<Extremal_line> lines_a = all_lines(a), lines_b = all_lines(b);
+/// \param same_points  the polylines have the same points, so that all measures can be compared
+void expect_scaled_measures(const Extremal_mesh& a, const Extremal_mesh& b, double scale, double tolerance,
+                            bool same_points) {
   for (const Line_measure m : all_measures) {
     const double factor = std::pow(scale, dimension(m));
     const std::string name(to_string(m));
-    const auto of_edges = [&](const Extremal_mesh& mesh) {
-      return for_each(mesh.number_of_edges(), [&](std::uint32_t e) { return value_of(edge_measures(mesh, e), m); });
+    const auto values = [&](const Extremal_mesh& mesh, const std::vector<Extremal_line>& lines) {
+      Sorted all;
+      for (const Extremal_line& line : lines)
+        if (m != Line_measure::sharpness || same_points || !reaches_umbilic(mesh, line))
+          all.push_back(value_of(line_measures(mesh, line), m));
+      return all;
     };
-    const auto of_lines = [&](const Extremal_mesh& mesh, const std::vector<Extremal_line>& lines) {
-      return for_each(lines.size(), [&](std::uint32_t i) { return value_of(line_measures(mesh, lines[i]), m); });
+    const auto edges = [](const Extremal_mesh& mesh) {
+      std::vector<Extremal_line> lines;
+      for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e)
+        lines.push_back({{2 * e}, false});
+      return lines;
     };
-    expect_scaled(of_edges(a), of_edges(b), factor, tolerance, "edges: " + name);
-    expect_scaled(of_lines(a, lines_a), of_lines(b, lines_b), factor, tolerance, "lines: " + name);
+    expect_scaled(values(a, edges(a)), values(b, edges(b)), factor, tolerance, "edges: " + name);
+    expect_scaled(values(a, all_lines(a)), values(b, all_lines(b)), factor, tolerance, "lines: " + name);
   }
   const auto of_cells = [&](double Cell_measures::*member, double factor, const std::string& name) {
     const auto values = [&](const Extremal_mesh& mesh) {
@@ -242,7 +259,7 @@ TEST(Measures, of_a_mesh_that_was_moved_and_scaled_are_scaled) {
   motion.scale = 3.5;
   for (const Extremal_mesh& mesh :
        {hand_made::ellipsoid(), hand_made::two_loops(), hand_made::meridians(), hand_made::hemisphere()})
-    expect_scaled_measures(mesh, moved(mesh, motion), motion.scale, 1e-12);
+    expect_scaled_measures(mesh, moved(mesh, motion), motion.scale, 1e-12, true);
 }
 
 // The moved surface meets other cubes, so its polylines have other points: measures agree as well as they approximate.
@@ -253,10 +270,10 @@ TEST(Measures, of_surfaces_do_not_depend_on_where_they_are_and_scale_with_them) 
     motion.scale = 2.5;
     const surfaces::Moved_function g(f, motion);
     const surfaces::Box box = random_surfaces::box_of(f), moved_box = surfaces::moved(box, motion);
-    const Extremal_mesh a = extract_extremal_mesh(f, make_lattice(box.low, box.high, 40)).mesh;
-    const Extremal_mesh b = extract_extremal_mesh(g, make_lattice(moved_box.low, moved_box.high, 56)).mesh;
+    const Extremal_mesh a = extract_extremal_mesh(f, make_lattice(box.low, box.high, 80)).mesh;
+    const Extremal_mesh b = extract_extremal_mesh(g, make_lattice(moved_box.low, moved_box.high, 112)).mesh;
     SCOPED_TRACE("seed " + std::to_string(seed));
-    expect_scaled_measures(a, b, motion.scale, 0.01);
+    expect_scaled_measures(a, b, motion.scale, 0.01, false);
   }
 }
 

@@ -19,8 +19,10 @@ namespace CGAL::Extremal_mesh_3 {
 /// Measures of an edge or of a whole line.
 struct Line_measures {
   double length = 0;
-  double strength = 0;          ///< ∫|k_family| ds, no unit
-  double sharpness = 0;         ///< area of the surface × ∫|∇e_family·t_family| ds, no unit
+  double strength = 0; ///< ∫|k_family| ds, no unit
+  /// area of the surface × ∫|∇e_family·t_family| ds, no unit. At umbilics |∇e| grows like one over the distance: for lines that
+  /// reach one the integral has no limit, and tells how near the points of the polylines come, too.
+  double sharpness = 0;
   double mean_curvature = 0;    ///< ∫ k_family ds / length, in 1/length: its sign is that of the curvature
   double extreme_curvature = 0; ///< the value of k_family that is greatest in absolute value, in 1/length
   /// of an edge: √(area of the surface) × ∫|e_other| ds, no unit. That is about how much the other principal curvature differs
