@@ -5,15 +5,18 @@
 #include <CGAL/Extremal_mesh_3/cell_surface.h>
 
 #include <CGAL/Extremal_mesh_3/Formula.h>
+#include <CGAL/Extremal_mesh_3/io.h>
 #include <CGAL/Extremal_mesh_3/simplify.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh/IO/PLY.h>
 
 #include "hand_made.h"
 #include "surfaces.h"
+#include "temporary_folder.h"
 
 #include <set>
 
@@ -202,6 +205,26 @@ TEST(Cell_surface, keeps_what_the_mesh_has) {
   const auto cell = cells_of(surface);
   EXPECT_EQ(cell[Face(0)], shapes()[0].extraction.patches.cell[0]);
   EXPECT_EQ(cell[Face(Surface::size_type(faces))], 3U);
+}
+
+TEST(Cell_surface, in_a_file_is_read_by_cgal_with_its_cells_and_colours) {
+  const Temporary_folder folder;
+  const Extraction& given = shapes()[0].extraction;
+  write_ply(folder.file("cells.ply"), given.patches, given.mesh);
+  Surface surface;
+  std::ifstream in(folder.file("cells.ply"), std::ios::binary);
+  ASSERT_TRUE(CGAL::IO::read_PLY(in, surface));
+  EXPECT_TRUE(CGAL::is_closed(surface));
+  EXPECT_EQ(surface.number_of_faces(), given.patches.cell.size());
+  const auto cell = surface.property_map<Face, std::int32_t>("f:cell");
+  ASSERT_TRUE(cell.second);
+  const auto colour = surface.property_map<Face, CGAL::IO::Color>("f:color");
+  ASSERT_TRUE(colour.second);
+  for (const Face f : surface.faces()) {
+    const auto c = std::uint32_t(cell.first[f]);
+    EXPECT_EQ(c, given.patches.cell[f.idx()]);
+    EXPECT_EQ(colour.first[f].red() > colour.first[f].blue(), given.mesh.cell(c).sign > 0); // ivory, grey-blue
+  }
 }
 
 TEST(Cell_surface, follows_a_simplification) {
