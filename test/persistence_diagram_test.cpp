@@ -10,6 +10,7 @@
 #include "temporary_folder.h"
 
 #include <charconv>
+#include <set>
 
 using namespace CGAL::Extremal_mesh_3;
 
@@ -80,6 +81,20 @@ struct Svg {
 };
 
 } // namespace
+
+TEST(Persistence_diagram, has_a_colour_for_each_operation) {
+  const Temporary_folder folder;
+  write_persistence_diagram(folder.file("diagram.svg"), simplification(), 0);
+  const std::string content = read_text(folder.file("diagram.svg"));
+  std::set<std::string> operations, colours;
+  for (std::size_t at = 0; (at = content.find("<g id=\"", at)) != content.npos; ++at) {
+    const std::size_t name = at + 7, fill = content.find("fill=\"", at) + 6;
+    operations.insert(content.substr(name, content.find('"', name) - name));
+    colours.insert(content.substr(fill, 7));
+  }
+  EXPECT_GE(operations.size(), 2U);
+  EXPECT_EQ(colours.size(), operations.size());
+}
 
 TEST(Persistence_diagram, has_a_dot_per_step_where_it_belongs) {
   const Temporary_folder folder;

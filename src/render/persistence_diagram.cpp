@@ -10,20 +10,22 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 
 namespace CGAL::Extremal_mesh_3 {
 
 namespace {
 
-constexpr double left = 90, right = 870, top = 60, bottom = 540;
+constexpr double left = 90, right = 870, top = 76, bottom = 540;
 /// A scale of more decades would squeeze those in which something happens. Steps below stand on the bottom line.
 constexpr int most_decades = 8;
 constexpr Colour grid{228, 230, 234}, frame{120, 124, 132}, gap_tint{255, 240, 200}, level_ink{200, 30, 40};
 
 /// of each operation.
-constexpr std::array<Colour, 6> operation_colours = {Colour{31, 119, 180}, {214, 39, 160}, {255, 127, 14},
-                                                     {44, 160, 44},        {140, 86, 75},  {120, 120, 120}};
+constexpr std::array<Colour, 8> operation_colours = {Colour{31, 119, 180}, {214, 39, 160}, {255, 127, 14},
+                                                     {44, 160, 44},        {140, 86, 75},  {120, 120, 120},
+                                                     {23, 190, 207},       {90, 70, 200}};
 
 Colour colour_of(Simplification_operation operation) {
   return operation_colours[std::min(static_cast<std::size_t>(operation), operation_colours.size() - 1)];
@@ -89,7 +91,7 @@ void draw_axes(Diagram& diagram, const Axes& axes) {
   diagram.lines.push_back({left, bottom, right, bottom, 1, frame, false});
   diagram.texts.push_back({(left + right) / 2, bottom + 38, Align::middle, "vertices left after the step"});
   diagram.texts.push_back(
-      {14, top - 36, Align::left, "persistence: change of a curvature times the root of the area (no unit)"});
+      {14, 20, Align::left, "persistence: change of a curvature times the root of the area (no unit)"});
 }
 
 /// where the border between the steps before a level and those after is.
@@ -120,26 +122,34 @@ void draw_marks(Diagram& diagram, const Axes& axes, const Simplification& simpli
 }
 
 void draw_steps(Diagram& diagram, const Axes& axes, const std::vector<Simplification_step>& steps) {
-  std::vector<Simplification_operation> operations;
-  for (const Simplification_step& step : steps)
-    if (std::find(operations.begin(), operations.end(), step.operation) == operations.end())
-      operations.push_back(step.operation);
-  std::sort(operations.begin(), operations.end());
-  double x = left;
-  for (const Simplification_operation operation : operations) {
-    Diagram::Dots dots{std::string(to_string(operation)), colour_of(operation), {}};
-    for (const Simplification_step& step : steps)
-      if (step.operation == operation)
-        dots.centres.push_back({axes.x(double(step.vertices)), axes.y(step.persistence)});
+  std::map<Simplification_operation, Diagram::Dots> of_operation;
+  for (const Simplification_step& step : steps) {
+    Diagram::Dots& dots = of_operation[step.operation];
+    if (dots.centres.empty()) {
+      dots.name = to_string(step.operation);
+      dots.colour = colour_of(step.operation);
+    }
+    dots.centres.push_back({axes.x(double(step.vertices)), axes.y(step.persistence)});
+  }
+  double x = left, y = 40;
+  for (auto& [operation, dots] : of_operation) {
     std::string text = fmt::format("{} {}", dots.centres.size(), dots.name);
     std::replace(text.begin(), text.end(), '_', ' ');
-    diagram.rectangles.push_back({x, top - 20, 8, 8, dots.colour});
-    diagram.texts.push_back({x + 13, top - 16, Diagram::Align::left, text});
-    x += 30 + 6.5 * double(text.size());
+    const double width = 30 + 6.5 * double(text.size());
+    if (x + width > right) {
+      x = left;
+      y += 18;
+    }
+    diagram.rectangles.push_back({x, y - 4, 8, 8, dots.colour});
+    diagram.texts.push_back({x + 13, y, Diagram::Align::left, text});
+    x += width;
     diagram.dots.push_back(std::move(dots));
   }
   if (steps.empty())
-    diagram.texts.push_back({left, top - 16, Diagram::Align::left, "no step"});
+    diagram.texts.push_back({left, y, Diagram::Align::left, "no step"});
+  // What is rare is drawn last, or it would not be seen.
+  std::stable_sort(diagram.dots.begin(), diagram.dots.end(),
+                   [](const auto& a, const auto& b) { return a.centres.size() > b.centres.size(); });
 }
 
 void write_csv(const std::string& file, const Simplification& simplification, std::size_t level) {
