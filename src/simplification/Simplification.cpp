@@ -25,6 +25,8 @@ std::string_view to_string(Simplification_operation operation) {
     return "merge_vertices";
   case Simplification_operation::cancel_islands:
     return "cancel_islands";
+  case Simplification_operation::drop_loop:
+    return "drop_loop";
   case Simplification_operation::drop_closed_line:
     return "drop_closed_line";
   case Simplification_operation::drop_border_line:

@@ -44,6 +44,8 @@ void Simplifier::apply(const Candidate& step) {
   }
   if (step.operation == Operation::cancel_islands)
     return cancel_islands(step);
+  if (step.operation == Operation::drop_loop)
+    return reduce(graph_.source(h), {});
   const std::uint32_t v = graph_.source(h);
   const Contracted contracted = {step.operation == Operation::cancel_extremal_points ? graph_.family(h) : 0,
                                  step.operation == Operation::cancel_umbilics, graph_.edges()[h / 2].difference};
@@ -171,7 +173,8 @@ std::optional<Candidate> Step_finder::evaluate(const Candidate& candidate) const
   using Operation = Simplification_operation;
   if (!graph_.edges()[candidate.first / 2].alive)
     return std::nullopt;
-  if (candidate.operation == Operation::drop_closed_line || candidate.operation == Operation::drop_border_line)
+  if (candidate.operation == Operation::drop_closed_line || candidate.operation == Operation::drop_border_line ||
+      candidate.operation == Operation::drop_loop)
     return drop(candidate.first);
   if (candidate.second == Embedded_graph::none)
     return pair(candidate.first);
@@ -204,6 +207,11 @@ void Step_finder::look_around(std::uint32_t vertex) {
 }
 
 void Step_finder::look_for_island(std::uint32_t vertex, bool around) {
+  // The cell around an island is no disk.
+  const std::vector<Half_edge> star = graph_.star(vertex);
+  if (std::none_of(star.begin(), star.end(),
+                   [&](Half_edge h) { return graph_.cell(graph_.left_cell(h)).euler_characteristic < 1; }))
+    return;
   const std::optional<Island> island = find_island(graph_, vertex);
   if (!island)
     return;
@@ -322,8 +330,13 @@ std::optional<Candidate> Step_finder::drop(Half_edge h) const {
   Candidate c{Operation::drop_closed_line, 0, h, Embedded_graph::none};
   if (graph_.vertices()[u].kind == Vertex_kind::boundary && graph_.vertices()[w].kind == Vertex_kind::boundary)
     c.operation = Operation::drop_border_line;
-  else if (graph_.vertices()[u].kind != Vertex_kind::anchor || inside.touches_border)
+  else if (inside.touches_border || graph_.vertices()[u].frozen)
     return std::nullopt;
+  else if (graph_.vertices()[u].kind != Vertex_kind::anchor) {
+    if (graph_.vertices()[u].degree <= 2 || !indices(graph_.vertices()[u]).is_empty_or_generic() || !all_free(u))
+      return std::nullopt;
+    c.operation = Operation::drop_loop;
+  }
   c.cost = difference_within(e, inside);
   return c;
 }

@@ -44,9 +44,9 @@ public:
 private:
   /// how k_j changes along the line that two branches become.
   struct Contracted {
-    int family;      ///< of the edge between two extremal points; 0 if it was something else
-    bool umbilics;   ///< the edge joined two umbilics
-    double difference;
+    int family = 0;        ///< of the edge between two extremal points; 0 if it was something else
+    bool umbilics = false; ///< the edge joined two umbilics
+    double difference = 0;
   };
   void reduce(std::uint32_t v, const Contracted& contracted);
   double difference(Half_edge a, Half_edge b, const Contracted& contracted) const;

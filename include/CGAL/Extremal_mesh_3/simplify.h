@@ -24,6 +24,7 @@ enum class Simplification_operation : std::uint8_t {
   /// two parts of the graph that lie each within a disk in the same cell, with opposite indices, vanish with all they
   /// enclose: a bump, such as two lemons with an extremal point between them, and a saddle
   cancel_islands,
+  drop_loop,              ///< a loop at a 3-ridge umbilic vanishes, which becomes a 1-ridge one
   drop_closed_line,       ///< a closed line around a disk in which there is nothing vanishes
   drop_border_line        ///< so does a line that cuts a disk off at the border of the surface
 };
