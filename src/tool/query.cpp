@@ -12,6 +12,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <map>
 #include <utility>
 
 namespace CGAL::Extremal_mesh_3::tool {
@@ -192,7 +194,8 @@ Json components(const Extremal_mesh& mesh) {
 }
 
 Json quads(const Extremal_mesh& mesh) {
-  Json list = Json::array(), by_types = Json::object();
+  Json list = Json::array();
+  std::map<std::string, std::size_t> by_types;
   for (const Quadrilateral& quad : quadrilaterals(mesh)) {
     std::string types;
     std::vector<Half_edge> half_edges;
@@ -200,12 +203,12 @@ Json quads(const Extremal_mesh& mesh) {
       types.append(types.empty() ? "" : " ").append(to_string(side.type));
       half_edges.push_back(side.half_edge);
     }
-    by_types[types] = by_types.value(types, 0) + 1;
+    ++by_types[types];
     list.push_back({{"cell", quad.cell}, {"types", types}, {"half_edges", half_edges}});
   }
   return {{"cells", mesh.number_of_cells()},
           {"quadrilaterals", list.size()},
-          {"by_types", std::move(by_types)},
+          {"by_types", by_types},
           {"list", std::move(list)}};
 }
 

@@ -23,10 +23,10 @@ Json json_of_side(const Extremal_mesh& mesh, const Cell_side& side) {
 }
 
 /// appends a value, of which the first line is indented already.
-void append_pretty(std::string& out, const Json& json, std::size_t indent) {
-  constexpr std::size_t short_enough = 120;
+/// \param width  up to which it is written on one line
+void append_pretty(std::string& out, const Json& json, std::size_t indent, std::size_t width) {
   const std::string line = json.dump();
-  if (!json.is_structured() || json.empty() || (indent > 0 && indent + line.size() <= short_enough)) {
+  if (!json.is_structured() || json.empty() || indent + line.size() <= width) {
     out += line;
     return;
   }
@@ -37,7 +37,8 @@ void append_pretty(std::string& out, const Json& json, std::size_t indent) {
     out.append(indent + 2, ' ');
     if (json.is_object())
       out.append(Json(key).dump()).append(": ");
-    append_pretty(out, value, indent + 2);
+    constexpr std::size_t width_of_member = 120, width_of_element = 400; // an element of a list is best on one line
+    append_pretty(out, value, indent + 2, json.is_object() ? width_of_member : width_of_element);
     separator = ",\n";
   }
   out += '\n';
@@ -125,7 +126,7 @@ Json json_of_cell(const Extremal_mesh& mesh, std::uint32_t c, bool sides) {
 
 std::string pretty(const Json& json) {
   std::string out;
-  append_pretty(out, json, 0);
+  append_pretty(out, json, 0, 0);
   return out;
 }
 
