@@ -215,6 +215,41 @@ TEST(Simplification, moves_with_the_surface) {
   }
 }
 
+TEST(Simplification, of_a_moved_mesh_is_the_moved_one) {
+  meshes::Polygons mesh = meshes::on_ellipsoid(meshes::icosphere(4), 1, b, c);
+  mesh = meshes::with_radial_noise(mesh, 0.003 * meshes::mean_edge_length(mesh), 1);
+  Fit_options fit;
+  fit.rings = 3;
+  const auto simplification = [&](const Cell_complex& cells) {
+    return Simplification(extract_extremal_mesh(cells, fit_vertex_shapes(cells, fit).shapes).mesh);
+  };
+  const Simplification reference = simplification(mesh.cells());
+  ASSERT_GT(reference.steps().size(), 50U);
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE("motion " + std::to_string(seed));
+    const surfaces::Motion motion = surfaces::random_motion(seed, 3);
+    const Simplification moved = simplification(meshes::moved(mesh, motion).cells());
+    ASSERT_EQ(moved.steps().size(), reference.steps().size());
+    for (std::size_t i = 0; i < moved.steps().size(); ++i) {
+      const Simplification_step &x = reference.steps()[i], &y = moved.steps()[i];
+      EXPECT_EQ(x.operation, y.operation) << i;
+      EXPECT_NEAR(x.persistence, y.persistence, 1e-6 * x.persistence) << i;
+    }
+    for (const std::size_t level : {reference.level_at_gap() / 2, reference.level_at_gap()}) {
+      const Extremal_mesh expected = reference.mesh_at(level), found = moved.mesh_at(level);
+      EXPECT_TRUE(graph_comparison::isomorphic(expected, found)) << level;
+      for (const Vertex_kind kind : {Vertex_kind::extremal_point, Vertex_kind::umbilic}) {
+        std::vector<Point> points = graph_comparison::positions(expected, kind);
+        for (Point& p : points)
+          p = motion(p);
+        const auto off = graph_comparison::largest_distance(graph_comparison::positions(found, kind), points);
+        ASSERT_TRUE(off);
+        EXPECT_LT(*off, 1e-6);
+      }
+    }
+  }
+}
+
 TEST(Simplification, keeps_strong_crest_lines_where_they_are) {
   const Mesh femur = read_mesh(EXTREMAL_MESH_3_DATA_DIR "/femur.off");
   Fit_options fit;
