@@ -7,6 +7,7 @@
 #include "Picture.h"
 #include "lettering.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace CGAL::Extremal_mesh_3 {
@@ -88,11 +89,13 @@ void Diagram::write_png(const std::string& file) const {
   for (const Line& l : lines) {
     --depth;
     const double length = std::hypot(l.x2 - l.x1, l.y2 - l.y1);
-    const double step = l.dashed && length > 0 ? dash / length : 1;
-    for (double t = 0; t < 1; t += 2 * step) {
-      const double end = std::min(t + step, 1.0);
-      const auto point = [&](double u) { return at(l.x1 + u * (l.x2 - l.x1), l.y1 + u * (l.y2 - l.y1)); };
-      canvas.stroke(point(t), point(end), s * l.width / 2, 0, l.colour);
+    const int parts = l.dashed ? std::max(int(length / dash), 1) : 1;
+    for (int i = 0; i < parts; i += 2) {
+      const auto point = [&](int part) {
+        const double t = double(part) / parts;
+        return at(l.x1 + t * (l.x2 - l.x1), l.y1 + t * (l.y2 - l.y1));
+      };
+      canvas.stroke(point(i), point(i + 1), s * l.width / 2, 0, l.colour);
     }
   }
   for (const Dots& d : dots)

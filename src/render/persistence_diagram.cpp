@@ -80,11 +80,13 @@ void draw_axes(Diagram& diagram, const Axes& axes) {
     diagram.texts.push_back({left - 8, y, Align::right, fmt::format("{:g}", std::pow(10, decade))});
   }
   diagram.texts.push_back({left - 8, bottom, Align::right, "less"});
-  for (double decade = 1; decade <= 1.1 * axes.most_vertices(); decade *= 10)
-    for (const double part : {1, 2, 5})
-      if (const double n = part * decade; n <= 1.1 * axes.most_vertices()) {
-        diagram.lines.push_back({axes.x(n), top, axes.x(n), bottom, 1, grid, false});
-        diagram.texts.push_back({axes.x(n), bottom + 14, Align::middle, fmt::format("{:.0f}", n)});
+  const auto most = std::uint64_t(1.1 * axes.most_vertices());
+  for (std::uint64_t decade = 1; decade <= most; decade *= 10)
+    for (const std::uint64_t n : {decade, 2 * decade, 5 * decade})
+      if (n <= most) {
+        const double x = axes.x(double(n));
+        diagram.lines.push_back({x, top, x, bottom, 1, grid, false});
+        diagram.texts.push_back({x, bottom + 14, Align::middle, std::to_string(n)});
       }
   diagram.texts.push_back({left, bottom + 14, Align::middle, "0"});
   diagram.lines.push_back({left, top, left, bottom, 1, frame, false});
