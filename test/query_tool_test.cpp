@@ -219,6 +219,14 @@ TEST_F(Query_tool, names_elements_that_are_not_there) {
     EXPECT_TRUE(contains(refusal("mesh.graphml " + question, 2), "there is no ")) << question;
 }
 
+TEST_F(Query_tool, shows_an_example) {
+  const Outcome outcome = run("--help");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_TRUE(contains(outcome.out, "Example:\n  extremal_mesh query ")) << outcome.out;
+  for (const std::string option : {"--cell-at", "--line-through", "--min-extreme-curvature", "--max-stability"})
+    EXPECT_TRUE(contains(outcome.out, option)) << option;
+}
+
 TEST_F(Query_tool, fails_on_files_that_are_no_graphs) {
   EXPECT_TRUE(contains(refusal("nothing.graphml --quads", 1), "nothing.graphml"));
   write_text(folder.file("other.graphml"), "<graphml><graph/></graphml>");

@@ -144,6 +144,7 @@ std::vector<Line_point> Line_locator::Data::nearest(const Point& p, const std::o
   std::erase_if(found, [&](const auto& each) { return each.second.distance > bound(); });
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Line_point> points;
+  points.reserve(found.size());
   for (const auto& [s, q] : found)
     points.push_back(q);
   const auto first = std::min_element(points.begin(), points.end(),
@@ -261,8 +262,7 @@ std::optional<std::uint32_t> Line_locator::cell_at(const Point& p, const std::op
   // A cell between two lines is told by one and lies beyond the other.
   const std::vector<Beside> all = data_->all_beside(p, nearest);
   if (all.empty())
-    return data_->mesh.edge(nearest.front().edge)
-        .left_cell; // all lines turn back there, which those of a surface do not
+    return std::nullopt; // all lines turn back there, which those of a surface do not
   std::map<std::uint32_t, int> votes;
   for (const Beside& cells : all) {
     ++votes[cells.here];

@@ -122,6 +122,7 @@ std::vector<Extremal_line> strongest_crest_lines(const Extremal_mesh& mesh, std:
   std::sort(order.begin(), order.end());
   order.resize(std::min(k, order.size()));
   std::vector<Extremal_line> strongest;
+  strongest.reserve(order.size());
   for (const auto& [strength, i] : order)
     strongest.push_back(std::move(lines[i]));
   return strongest;
