@@ -37,6 +37,7 @@ std::vector<Cell_neighbour> neighbours(const Extremal_mesh& mesh, std::uint32_t 
     for (const Half_edge h : walk)
       lengths[mesh.left_cell(h ^ 1U)] += mesh.edge(h / 2).length;
   std::vector<Cell_neighbour> result;
+  result.reserve(lengths.size());
   for (const auto& [neighbour, length] : lengths)
     result.push_back({neighbour, length});
   return result;

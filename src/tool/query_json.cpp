@@ -85,6 +85,7 @@ Json json_of_edge(const Extremal_mesh& mesh, std::uint32_t e) {
 
 std::vector<std::uint32_t> vertices_along(const Extremal_mesh& mesh, const std::vector<Half_edge>& half_edges) {
   std::vector<std::uint32_t> vertices;
+  vertices.reserve(half_edges.size() + 1);
   for (const Half_edge h : half_edges)
     vertices.push_back(mesh.source(h));
   if (!half_edges.empty())
