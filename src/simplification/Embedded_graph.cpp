@@ -178,7 +178,6 @@ void Embedded_graph::merge_cells(std::uint32_t kept, std::uint32_t other, int eu
       std::swap(sides_[root], sides_[absorbed]);
     sides_[root].insert(sides_[root].end(), sides_[absorbed].begin(), sides_[absorbed].end());
     sides_[absorbed] = {};
-    merged_cells.emplace_back(absorbed, root);
   }
   merged.euler_characteristic = euler_characteristic;
   cells_[cells_of_.find(kept)] = merged;

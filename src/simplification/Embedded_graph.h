@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Extremal_mesh_3 {
@@ -106,9 +105,6 @@ public:
   /// removes a line from border to border with both its ends; the cell on the left becomes part of that on the right.
   void drop_border_line(Half_edge h);
   /// @}
-
-  /// which cells became part of which, in order; to be cleared by the caller.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> merged_cells;
 
 private:
   void remove_from_star(Half_edge h);

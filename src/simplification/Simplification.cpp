@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Simplifier.h"
+#include "Step_finder.h"
 #include "build_mesh.h"
-#include "islands.h"
 
 #include <CGAL/Extremal_mesh_3/simplify.h>
 
@@ -119,9 +118,6 @@ void Simplification::Data::find_steps() {
     step.cells = graph.number_of_cells();
     steps.push_back(std::move(step));
     done.push_back(*next);
-    for (const auto& [absorbed, root] : simplifier.merged_cells())
-      finder.merge_islands(absorbed, root);
-    simplifier.merged_cells().clear();
     std::vector<std::uint32_t>& touched = simplifier.touched;
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
@@ -138,7 +134,6 @@ Embedded_graph Simplification::Data::graph_at(std::size_t level) const {
   for (std::size_t i = 0; i < level; ++i) {
     simplifier.apply(done[i]);
     simplifier.touched.clear();
-    simplifier.merged_cells().clear();
   }
   return simplifier.graph();
 }

@@ -7,8 +7,6 @@
 
 #include <CGAL/Extremal_mesh_3/simplify.h>
 
-#include <optional>
-#include <queue>
 #include <vector>
 
 namespace CGAL::Extremal_mesh_3 {
@@ -38,8 +36,6 @@ public:
 
   /// the vertices around which the last steps changed something; to be cleared by the caller.
   std::vector<std::uint32_t> touched;
-  /// which cells became part of which.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>>& merged_cells() { return graph_.merged_cells; }
 
 private:
   /// how k_j changes along the line that two branches become.
@@ -55,39 +51,6 @@ private:
   void touch_sides(std::uint32_t cell);
 
   Embedded_graph graph_;
-};
-
-/// Finds the steps of a simplification, the cheapest first.
-class Step_finder {
-public:
-  /// \param graph  outlives it
-  explicit Step_finder(const Embedded_graph& graph);
-
-  /// the cheapest step that is possible now; none if there is none.
-  std::optional<Candidate> next();
-  /// to be told of every vertex around which something has changed.
-  void look_around(std::uint32_t vertex);
-  /// to be told of every cell that has become part of another one.
-  void merge_islands(std::uint32_t absorbed, std::uint32_t root);
-
-private:
-  struct Dearer {
-    bool operator()(const Candidate& a, const Candidate& b) const;
-  };
-
-  void push(const std::optional<Candidate>& candidate);
-  std::optional<Candidate> pair(Half_edge h) const;
-  std::optional<Candidate> triple(Half_edge first, Half_edge second) const;
-  std::optional<Candidate> drop(Half_edge h) const;
-  std::optional<Candidate> islands(std::uint32_t a, std::uint32_t b) const;
-  void look_for_island(std::uint32_t vertex, bool around);
-  std::optional<Candidate> evaluate(const Candidate& candidate) const;
-  double cost_of(std::uint32_t edge) const;
-  bool all_free(std::uint32_t vertex) const;
-
-  const Embedded_graph& graph_;
-  std::vector<std::vector<std::uint32_t>> islands_; ///< in each cell: the first vertices of those it is the outer cell of
-  std::priority_queue<Candidate, std::vector<Candidate>, Dearer> queue_;
 };
 
 } // namespace CGAL::Extremal_mesh_3

@@ -21,8 +21,8 @@ enum class Simplification_operation : std::uint8_t {
   cancel_extremal_points, ///< two extremal points of opposite index, joined by an edge, vanish
   cancel_umbilics,        ///< two umbilics of opposite index, joined by an edge, vanish
   merge_vertices,         ///< three vertices (or two, one of them not generic) become the generic one with the sum of their indices
-  /// two parts of the graph that lie each within a disk in the same cell, with opposite indices, vanish with all they
-  /// enclose: a bump, such as two lemons with an extremal point between them, and a saddle
+  /// a bump, such as two lemons with an extremal point between them, and a saddle vanish: two parts of the graph with the
+  /// indices (1, 1) and (−1, −1), each within a disk, with all that they enclose. Nothing else changes
   cancel_islands,
   drop_loop,              ///< a loop at a 3-ridge umbilic vanishes, which becomes a 1-ridge one
   drop_closed_line,       ///< a closed line around a disk in which there is nothing vanishes
