@@ -229,6 +229,8 @@ TEST_F(Tool, simplifies_to_what_is_asked_for) {
   EXPECT_EQ(simple("--vertices 0").number_of_vertices(), few.number_of_vertices());
   EXPECT_LT(simple("--gap").number_of_vertices(), vertices);
   EXPECT_TRUE(contains(simple("--level 2").surface().parameters, "\"simplification\":{\"level\":2,"));
+  // What cannot be reached is told.
+  EXPECT_TRUE(contains(run("simplify wavy.graphml --cells 1 -o simple.graphml").out, "1 cells cannot be reached"));
   // Who keeps every crest line can simplify less.
   EXPECT_GT(simple("--threshold 1e9 --keep-crest 0").number_of_vertices(), few.number_of_vertices());
 }

@@ -125,6 +125,12 @@ int simplify(const Simplify_options& options) {
   fmt::print("{:<10} {}\n", "before", before);
   fmt::print("{:<10} {}\n", "after",
              counts(simple.number_of_vertices(), simple.number_of_edges(), simple.number_of_cells()));
+  const auto tell_if_unreached = [](std::size_t reached, const std::optional<std::int64_t>& wanted, const char* what) {
+    if (wanted && reached > std::size_t(*wanted))
+      fmt::print("{:<10} {} {} cannot be reached\n", "note", *wanted, what);
+  };
+  tell_if_unreached(simple.number_of_cells(), options.number_of_cells, "cells");
+  tell_if_unreached(simple.number_of_vertices(), options.number_of_vertices, "vertices");
   fmt::print("{:<10} {} of {}, {} at the gap\n", "level", level, simplification.number_of_levels() - 1,
              simplification.level_at_gap());
   fmt::print("{}{}", step_text("last step", simplification, level - 1), step_text("next step", simplification, level));
