@@ -269,8 +269,8 @@ TEST(Image_function, puts_nodes_between_slices_that_are_too_far_apart) {
     lattice.origin[axis] = -18;
     Image_function_options options = options_with(sigma);
     options.iso = 0.001;
-    const Image_function f(sampled(lattice, [&](const Point& p) { return blob(p[0], s) * blob(p[1], s) * blob(p[2], s); }),
-                           options);
+    const Image_function f(
+        sampled(lattice, [&](const Point& p) { return blob(p[0], s) * blob(p[1], s) * blob(p[2], s); }), options);
     EXPECT_EQ(f.lattice().size[axis], 49U);
     for (const Point& p : {Point{0.3, 0.2, 1.1}, Point{-2.3, 1.9, 0.4}, Point{1.2, -3.1, -2.2}}) {
       const Derivatives d = derivatives(f, p);

@@ -299,7 +299,8 @@ TEST(Simplification, of_a_bordered_surface_passes_every_check_at_every_level) {
   const Mesh mannequin = read_mesh(EXTREMAL_MESH_3_DATA_DIR "/mannequin-devil.off");
   Fit_options fit;
   fit.radius = 0.5;
-  const Extremal_mesh mesh = extract_extremal_mesh(mannequin.cells, fit_vertex_shapes(mannequin.cells, fit).shapes).mesh;
+  const Extremal_mesh mesh =
+      extract_extremal_mesh(mannequin.cells, fit_vertex_shapes(mannequin.cells, fit).shapes).mesh;
   EXPECT_FALSE(mesh.surface().closed);
   expect_good_levels(mesh);
 }

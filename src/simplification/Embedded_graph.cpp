@@ -63,8 +63,7 @@ Embedded_graph::Embedded_graph(const Extremal_mesh& mesh)
   }
   for (std::uint32_t v = 0; v < mesh.number_of_vertices(); ++v) {
     const Extremal_mesh_vertex& x = mesh.vertex(v);
-    Vertex& vertex = vertices_.emplace_back(
-        Vertex{x.kind, int(std::lround(2 * x.umbilic_index)), x.field_index});
+    Vertex& vertex = vertices_.emplace_back(Vertex{x.kind, int(std::lround(2 * x.umbilic_index)), x.field_index});
     vertex.point = x.point;
     vertex.k1 = x.k1;
     vertex.k2 = x.k2;

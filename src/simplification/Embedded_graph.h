@@ -20,10 +20,10 @@ public:
 
   struct Vertex {
     Vertex_kind kind;
-    int half_turns;         ///< twice the index of the lines of curvature
+    int half_turns; ///< twice the index of the lines of curvature
     int field_index;
     bool alive = true;
-    bool frozen = false;    ///< its branches contradict its indices: nothing is done to it
+    bool frozen = false; ///< its branches contradict its indices: nothing is done to it
     std::uint32_t degree = 0;
     Half_edge first = none; ///< some half-edge of the star
     Point point{};
@@ -33,13 +33,13 @@ public:
   struct Edge {
     int family;
     bool alive = true;
-    bool kept = false;         ///< (part of) a crest line that must keep its course
-    Walks::Walk walk;          ///< from the source of half-edge 2e to its target
+    bool kept = false; ///< (part of) a crest line that must keep its course
+    Walks::Walk walk;  ///< from the source of half-edge 2e to its target
     double length, strength;
-    double slope;              ///< ∫|∇e_i·t_i| ds
-    double extremality;        ///< ∫|e_j| ds of the other family
-    double difference;         ///< the same, but what was cancelled does not count: see Simplifier
-    double split;              ///< the greatest k1 − k2
+    double slope;       ///< ∫|∇e_i·t_i| ds
+    double extremality; ///< ∫|e_j| ds of the other family
+    double difference;  ///< the same, but what was cancelled does not count: see Simplifier
+    double split;       ///< the greatest k1 − k2
   };
   struct Cell {
     int sign, euler_characteristic;
@@ -119,7 +119,7 @@ private:
 
   std::vector<Vertex> vertices_;
   std::vector<Edge> edges_;
-  std::vector<Cell> cells_; ///< valid at the roots of `cells_of_`
+  std::vector<Cell> cells_;                   ///< valid at the roots of `cells_of_`
   std::vector<std::vector<Half_edge>> sides_; ///< of each root, with some that are no more
   mutable Union_find cells_of_;
   std::vector<std::uint32_t> source_, cell_;

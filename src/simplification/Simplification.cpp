@@ -139,8 +139,7 @@ Embedded_graph Simplification::Data::graph_at(std::size_t level) const {
 }
 
 Simplification::Simplification(Extremal_mesh mesh, const Simplification_options& options)
-    : data_(std::make_unique<Data>(std::move(mesh), options)) {
-}
+    : data_(std::make_unique<Data>(std::move(mesh), options)) {}
 Simplification::~Simplification() = default;
 Simplification::Simplification(Simplification&&) noexcept = default;
 Simplification& Simplification::operator=(Simplification&&) noexcept = default;

@@ -193,8 +193,7 @@ std::optional<Candidate> Step_finder::islands(std::uint32_t a, std::uint32_t b) 
   if (!graph_.vertices()[a].alive || !graph_.vertices()[b].alive)
     return std::nullopt;
   const std::optional<Island> x = find_island(graph_, a), y = find_island(graph_, b);
-  if (!x || !y || contains(*x, b) || contains(*y, a) ||
-      !(x->sum + y->sum == Indices{}) || x->sum == Indices{})
+  if (!x || !y || contains(*x, b) || contains(*y, a) || !(x->sum + y->sum == Indices{}) || x->sum == Indices{})
     return std::nullopt;
   // The curvatures at the two must become equal, and what changes on the way between them must be levelled: √|E_g| tells
   // how much that is.
@@ -208,8 +207,8 @@ std::optional<Candidate> Step_finder::islands(std::uint32_t a, std::uint32_t b) 
     for (const std::uint32_t w : y->vertices) {
       const Embedded_graph::Vertex &p = graph_.vertices()[u], &q = graph_.vertices()[w];
       if (p.kind != Vertex_kind::anchor && q.kind != Vertex_kind::anchor)
-        least = std::min(least, std::max({std::abs(p.k1 - q.k1), std::abs(p.k2 - q.k2),
-                                          slope * distance(p.point, q.point)}));
+        least = std::min(least,
+                         std::max({std::abs(p.k1 - q.k1), std::abs(p.k2 - q.k2), slope * distance(p.point, q.point)}));
     }
   return Candidate{Simplification_operation::cancel_islands, least, graph_.vertices()[std::min(a, b)].first,
                    graph_.vertices()[std::max(a, b)].first};

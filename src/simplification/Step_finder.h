@@ -50,7 +50,7 @@ private:
   bool all_free(std::uint32_t vertex) const;
 
   const Embedded_graph& graph_;
-  std::vector<std::uint32_t> component_; ///< of the surface, of each cell
+  std::vector<std::uint32_t> component_;         ///< of the surface, of each cell
   std::unordered_set<std::uint32_t> registered_; ///< the first vertices of the islands in the trees
   Tree bumps_, saddles_;                         ///< the centres of islands, some of which are no more
   std::priority_queue<Candidate, std::vector<Candidate>, Dearer> queue_;

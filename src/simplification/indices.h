@@ -23,7 +23,9 @@ struct Indices {
   std::uint32_t number_of_branches() const { return std::uint32_t(std::abs(2 * half_turns - 4 * field)); }
   /// nothing, an extremal point, or a generic umbilic: one of index ½ has the field index 1, one of index −½ has ±1.
   bool is_empty_or_generic() const {
-    return half_turns == 0 ? std::abs(field) <= 1 : half_turns == 1 ? field == 1 : half_turns == -1 && std::abs(field) == 1;
+    return half_turns == 0   ? std::abs(field) <= 1
+           : half_turns == 1 ? field == 1
+                             : half_turns == -1 && std::abs(field) == 1;
   }
 };
 

@@ -20,13 +20,13 @@ namespace CGAL::Extremal_mesh_3 {
 enum class Simplification_operation : std::uint8_t {
   cancel_extremal_points, ///< two extremal points of opposite index, joined by an edge, vanish
   cancel_umbilics,        ///< two umbilics of opposite index, joined by an edge, vanish
-  merge_vertices,         ///< three vertices (or two, one of them not generic) become the generic one with the sum of their indices
+  merge_vertices, ///< three vertices (or two, one of them not generic) become the generic one with the sum of their indices
   /// a bump, such as two lemons with an extremal point between them, and a saddle vanish: two parts of the graph with the
   /// indices (1, 1) and (−1, −1), each within a disk, with all that they enclose. Nothing else changes
   cancel_islands,
-  drop_loop,              ///< a loop at a 3-ridge umbilic vanishes, which becomes a 1-ridge one
-  drop_closed_line,       ///< a closed line around a disk in which there is nothing vanishes
-  drop_border_line        ///< so does a line that cuts a disk off at the border of the surface
+  drop_loop,        ///< a loop at a 3-ridge umbilic vanishes, which becomes a 1-ridge one
+  drop_closed_line, ///< a closed line around a disk in which there is nothing vanishes
+  drop_border_line  ///< so does a line that cuts a disk off at the border of the surface
 };
 std::string_view to_string(Simplification_operation);
 
@@ -36,8 +36,8 @@ struct Simplification_step {
   /// by how much a principal curvature must change for it, times the square root of the surface's area (no unit); it
   /// never falls from a step to the next
   double persistence = 0;
-  Point point{};                       ///< where it happens
-  std::vector<std::uint32_t> vanished; ///< vertices of the unsimplified mesh that are no more
+  Point point{};                                  ///< where it happens
+  std::vector<std::uint32_t> vanished;            ///< vertices of the unsimplified mesh that are no more
   std::size_t vertices = 0, edges = 0, cells = 0; ///< of the mesh after the step
 };
 
