@@ -372,3 +372,35 @@ TEST(Simplification, of_an_empty_mesh_does_nothing) {
   EXPECT_EQ(simplification.level_at_gap(), 0U);
   EXPECT_EQ(simplification.mesh_at(0).number_of_vertices(), 0U);
 }
+
+TEST(Simplification, refuses_a_mesh_that_contradicts_itself) {
+  const auto f = random_surfaces::ellipsoid(3);
+  const Extremal_mesh mesh = extract(f, random_surfaces::box_of(f), 24);
+  const auto refusal = [&](const auto& spoil) {
+    std::vector<Extremal_mesh_vertex> vertices;
+    std::vector<Extremal_mesh_edge> edges;
+    for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+      vertices.push_back(mesh.vertex(v));
+    for (std::size_t e = 0; e < mesh.number_of_edges(); ++e)
+      edges.push_back(mesh.edge(e));
+    std::vector<Extremal_mesh_cell> cells = mesh.cells();
+    spoil(vertices, edges, cells);
+    try {
+      const Simplification simplification{Extremal_mesh(vertices, edges, cells, mesh.surface())};
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string said = "the mesh fails the check ";
+  EXPECT_TRUE(refusal([](auto&, auto&, auto&) {}).empty());
+  EXPECT_TRUE(refusal([](auto& v, auto&, auto&) { v[0].star[0] = v[1].star[0]; }).starts_with(said));
+  EXPECT_TRUE(refusal([](auto& v, auto&, auto&) { v[0].star.pop_back(); }).starts_with(said));
+  EXPECT_TRUE(refusal([](auto& v, auto&, auto&) { std::swap(v[0].star[0], v[0].star[1]); }).starts_with(said));
+  EXPECT_TRUE(refusal([](auto& v, auto&, auto&) { v[0].kind = Vertex_kind::boundary; }).starts_with(said));
+  EXPECT_TRUE(refusal([](auto&, auto& e, auto&) { e[0].left_cell = e[0].right_cell; }).starts_with(said));
+  EXPECT_TRUE(refusal([](auto&, auto& e, auto&) { e[0].extremality[0] = std::nan(""); }).starts_with(said));
+  EXPECT_TRUE(refusal([](auto&, auto&, auto& c) { c[0].boundary.pop_back(); }).starts_with(said));
+  // Wrong indices concern one vertex only, which is left alone.
+  EXPECT_TRUE(refusal([](auto& v, auto&, auto&) { v[0].field_index = 7; }).empty());
+}

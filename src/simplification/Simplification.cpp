@@ -3,6 +3,7 @@
 #include "Step_finder.h"
 #include "build_mesh.h"
 
+#include <CGAL/Extremal_mesh_3/check.h>
 #include <CGAL/Extremal_mesh_3/simplify.h>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -53,6 +55,18 @@ std::vector<std::uint32_t> involved_in(const Embedded_graph& graph, const Candid
 
 } // namespace
 
+namespace {
+
+/// steps rely on what these checks tell.
+void require_consistent(const Extremal_mesh& mesh) {
+  for (const Check& c : check(mesh))
+    for (const std::string_view needed : {"stars", "walks", "geometry", "degrees", "alternation"})
+      if (c.name == needed && !c.holds)
+        throw std::invalid_argument(fmt::format("the mesh fails the check '{}': {}", c.name, c.detail));
+}
+
+} // namespace
+
 struct Simplification::Data {
   Extremal_mesh mesh;
   Simplification_options options;
@@ -60,7 +74,8 @@ struct Simplification::Data {
   std::vector<Candidate> done;
   std::vector<Simplification_step> steps;
 
-  Data(Extremal_mesh m, const Simplification_options& o) : mesh(std::move(m)), options(o), start(mesh) {
+  Data(Extremal_mesh m, const Simplification_options& o)
+      : mesh((require_consistent(m), std::move(m))), options(o), start(mesh) {
     keep_crest_lines();
     find_steps();
   }

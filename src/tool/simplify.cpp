@@ -105,7 +105,13 @@ int simplify(const Simplify_options& options) {
   Simplification_options simplification_options;
   if (options.keep_crest)
     simplification_options.keep_crest = *options.keep_crest;
-  const Simplification simplification(std::move(mesh), simplification_options);
+  const Simplification simplification = [&] {
+    try {
+      return Simplification(std::move(mesh), simplification_options);
+    } catch (const std::invalid_argument& error) {
+      throw Io_error(fmt::format("'{}' cannot be simplified: {}", options.file, error.what()));
+    }
+  }();
   const std::size_t level = level_of(simplification, options);
   stop_if_interrupted();
   Result result;

@@ -55,7 +55,8 @@ struct Simplification_options {
 /// The steps depend on measures that rigid motions do not change, only.
 class Simplification {
 public:
-  /// finds all steps. O(n log n) for n edges, but that lines that were joined many times count by their pieces.
+  /// finds all steps. O(n log n) for n edges.
+  /// \throws std::invalid_argument if the mesh's stars, walks, degrees, signs or numbers fail in `check()`
   explicit Simplification(Extremal_mesh mesh, const Simplification_options& options = {});
   ~Simplification();
   Simplification(Simplification&&) noexcept;
