@@ -129,23 +129,30 @@ struct Result {
 struct Level {
   std::string_view series;
   std::size_t level_a = 0, level_b = 0;
+  std::size_t among_a = level_a, among_b = level_b; ///< of what partners are sought among
 };
 
-/// levels of `a` with a half, a quarter, … of its cells, and of `b` with the same threshold, or as many cells.
+/// levels of `a` with a half, a quarter, … of its cells, and of `b` with the same threshold, or as many cells. In the series
+/// "half" partners are sought among what is above half the threshold: what changes by less than a quarter of it cannot
+/// have fallen below that.
 std::vector<Level> levels_of(const Result& a, const Result& b) {
-  std::vector<Level> by_threshold{{"threshold", 0, 0}}, by_cells{{"cells", 0, 0}};
+  std::vector<Level> by_threshold{{"threshold"}}, by_cells{{"cells"}}, by_half{{"half"}};
   const auto& steps = a.simplification.steps();
   // The second result is first brought to as many cells as the first one has.
   by_cells[0].level_b = b.simplification.level_of_cells(a.simplification.mesh_at(0).number_of_cells());
+  by_cells[0].among_b = by_cells[0].level_b;
   for (double cells = double(a.simplification.mesh_at(0).number_of_cells()) / 2; cells >= 8; cells /= 2) {
     const std::size_t level = a.simplification.level_of_cells(std::size_t(cells));
     if (level == by_cells.back().level_a || steps[level - 1].cells > std::size_t(cells))
       break;
     by_cells.push_back({"cells", level, b.simplification.level_of_cells(std::size_t(cells))});
     const double threshold = steps[level - 1].persistence;
-    by_threshold.push_back({"threshold", a.simplification.level_of_persistence(threshold),
-                            b.simplification.level_of_persistence(threshold / a.root_area * b.root_area)});
+    const auto level_a = [&](double t) { return a.simplification.level_of_persistence(t); };
+    const auto level_b = [&](double t) { return b.simplification.level_of_persistence(t / a.root_area * b.root_area); };
+    by_threshold.push_back({"threshold", level_a(threshold), level_b(threshold)});
+    by_half.push_back({"half", level_a(threshold), level_b(threshold), level_a(threshold / 2), level_b(threshold / 2)});
   }
+  by_threshold.insert(by_threshold.end(), by_half.begin(), by_half.end());
   by_threshold.insert(by_threshold.end(), by_cells.begin(), by_cells.end());
   return by_threshold;
 }
@@ -225,7 +232,9 @@ void run(const Options& options) {
   for (const Level& level : levels_of(a, b)) {
     const Extremal_mesh mesh_a = a.simplification.mesh_at(level.level_a),
                         mesh_b = b.simplification.mesh_at(level.level_b);
-    const correspondence::Neighbourhoods near_a(mesh_a, tolerance), near_b(mesh_b, tolerance);
+    const Extremal_mesh among_a = a.simplification.mesh_at(level.among_a),
+                        among_b = b.simplification.mesh_at(level.among_b);
+    const correspondence::Neighbourhoods near_a(among_a, tolerance), near_b(among_b, tolerance);
     const Shares ab = shares(mesh_a, near_b, there), ba = shares(mesh_b, near_a, home),
                  by_chance = shares(mesh_a, near_b, wrong), anywhere_b = chance(mesh_a, near_b, there, surface_b),
                  anywhere_a = chance(mesh_b, near_a, home, surface_a);

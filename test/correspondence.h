@@ -70,6 +70,7 @@ inline double distance_to_segment(const Point& p, const Point& a, const Point& b
 /// Finds the vertices and lines of a mesh within a distance from a point.
 class Neighbourhoods {
 public:
+  /// \param mesh  outlives it
   Neighbourhoods(const Extremal_mesh& mesh, double distance) : mesh_(mesh), distance_(distance) {
     std::array<std::vector<Box>, 6> points;
     for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
