@@ -201,8 +201,8 @@ void run(const Options& options) {
   const Inside inside(lattice, margin);
   const auto back = [&](const Point& p) { return motion.back(p); };
   const Vector off{10 / std::sqrt(3.0), 10 / std::sqrt(3.0), -10 / std::sqrt(3.0)};
-  const correspondence::Way there{motion, inside}, home{back, [&](const Point& p) { return inside(motion.back(p)); }},
-      wrong{[&](const Point& p) { return surfaces::along(motion(p), 1, off); }, inside};
+  const correspondence::Way there{motion, inside}, home{back, [&](const Point&p) { return inside(motion.back(p)); }},
+      wrong{[&](const Point&p) { return surfaces::along(motion(p), 1, off); }, inside};
   // 20000 points give shares to 1 %; taken from all of the surface, in the order of the lattice.
   const auto thinned = [](const std::vector<Point>& all, const auto& counts) {
     std::vector<Point> some;
@@ -213,15 +213,18 @@ void run(const Options& options) {
   };
   const std::vector<Point> surface_a = thinned(a.surface, inside), surface_b = thinned(b.surface, home.counts);
 
-  std::string csv = fmt::format(
-      "# {}: iso {}, sigma {} mm, largest side of a voxel {} mm\n"
-      "# second image: turned by {} degrees about the first and about the second axis, moved by {} voxels along the diagonal; cubic "
-      "spline through the voxels, {} outside; noise of {} times the contrast {:.5g} (mean above iso minus mean below), seed {}\n"
-      "# counted: what is more than {} mm inside the image; within {} mm; *_chance: by a motion wrong by 10 mm; *_anywhere: for points "
-      "anywhere on the surface\n"
-      "series,threshold_per_mm,level_a,level_b,vertices_a,edges_a,cells_a,vertices_b,edges_b,cells_b",
-      options.image, *options.iso, *options.sigma, voxel, options.degrees, options.translation, lowest, options.noise,
-      contrast, options.seed, margin, tolerance);
+  std::string csv =
+      fmt::format("# {}: iso {}, sigma {} mm, largest side of a voxel {} mm\n"
+                  "# second image: turned by {} degrees about the first and about the second axis, moved by {} voxels "
+                  "along the diagonal; cubic "
+                  "spline through the voxels, {} outside; noise of {} times the contrast {:.5g} (mean above iso minus "
+                  "mean below), seed {}\n"
+                  "# counted: what is more than {} mm inside the image; within {} mm; *_chance: by a motion wrong by "
+                  "10 mm; *_anywhere: for points "
+                  "anywhere on the surface\n"
+                  "series,threshold_per_mm,level_a,level_b,vertices_a,edges_a,cells_a,vertices_b,edges_b,cells_b",
+                  options.image, *options.iso, *options.sigma, voxel, options.degrees, options.translation, lowest,
+                  options.noise, contrast, options.seed, margin, tolerance);
   for (const auto name : correspondence::names)
     csv += fmt::format(",{0}_ab,{0}_ba,{0}_mean,{0}_chance,{0}_above_chance", name);
   csv += ",extremal_points_anywhere,umbilics_1_anywhere,umbilics_3_anywhere,vertices_anywhere,length_anywhere\n";
@@ -250,7 +253,8 @@ void run(const Options& options) {
       csv += fmt::format(",{:.4f}", mean(anywhere_a, anywhere_b, m));
     csv += '\n';
     const auto percent = [&](std::size_t m) { return 100 * mean(ab, ba, m); };
-    fmt::print("{:9} {:9.3g} {:6}/{:6} {:6}/{:6} | {:5.1f} {:5.1f} {:5.1f} {:8.1f} {:8.1f} | {:5.1f} {:5.1f} {:6.1f} | {:6.1f} {:8.1f}\n",
+    fmt::print("{:9} {:9.3g} {:6}/{:6} {:6}/{:6} | {:5.1f} {:5.1f} {:5.1f} {:8.1f} {:8.1f} | {:5.1f} {:5.1f} {:6.1f} | "
+               "{:6.1f} {:8.1f}\n",
                level.series, threshold_at(a, level.level_a), mesh_a.number_of_cells(), mesh_b.number_of_cells(),
                mesh_a.number_of_vertices(), mesh_b.number_of_vertices(), percent(0), percent(1), percent(2),
                percent(correspondence::vertices), 100 * mean(anywhere_a, anywhere_b, correspondence::vertices),

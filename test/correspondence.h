@@ -39,8 +39,8 @@ struct Share {
 
 /// What is counted. Vertices are those where lines meet: neither anchors nor ends at the border.
 enum Measure { extremal_points, umbilics_1, umbilics_3, vertices, edges, edges_with_ends, length };
-inline constexpr std::array<std::string_view, 7> names{
-    "extremal_points", "umbilics_1", "umbilics_3", "vertices", "edges", "edges_with_ends", "length"};
+inline constexpr std::array<std::string_view, 7> names{"extremal_points", "umbilics_1",      "umbilics_3", "vertices",
+                                                       "edges",           "edges_with_ends", "length"};
 using Shares = std::array<Share, names.size()>;
 
 /// which of the first three measures counts a vertex; 3: none of them, but `vertices`; 4, 5: an anchor, an end at the
@@ -212,13 +212,15 @@ inline Shares shares(const Extremal_mesh& a, const Neighbourhoods& b, const Way&
 /// the shares of vertices and of length that would have a partner in mesh `b` by chance if those of `a` lay anywhere on
 /// the surface: the parts of its area that are near to vertices of each kind and to lines of each type.
 /// \param surface  points of the surface in b's place, evenly spread; not empty
-inline Shares chance(const Extremal_mesh& a, const Neighbourhoods& b, const Way& way, const std::vector<Point>& surface) {
+inline Shares chance(const Extremal_mesh& a, const Neighbourhoods& b, const Way& way,
+                     const std::vector<Point>& surface) {
   std::array<Share, 4> by_kind, by_type;
   for (const Point& p : surface) {
     for (std::size_t kind = 0; kind < 4; ++kind)
       by_kind[kind].add(1, b.has_vertex(p, kind));
     std::array<bool, 4> near{};
-    b.for_each_piece(p, [&](std::uint32_t f, std::uint32_t s) { near[std::size_t(b.mesh().edge(f).segment_types[s])] = true; });
+    b.for_each_piece(
+        p, [&](std::uint32_t f, std::uint32_t s) { near[std::size_t(b.mesh().edge(f).segment_types[s])] = true; });
     for (std::size_t type = 0; type < 4; ++type)
       by_type[type].add(1, near[type]);
   }

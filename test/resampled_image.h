@@ -39,14 +39,16 @@ private:
 
 /// length of the largest side of a voxel.
 inline double largest_spacing(const Lattice& lattice) {
-  return std::max({surfaces::length(lattice.step[0]), surfaces::length(lattice.step[1]), surfaces::length(lattice.step[2])});
+  return std::max(
+      {surfaces::length(lattice.step[0]), surfaces::length(lattice.step[1]), surfaces::length(lattice.step[2])});
 }
 
 /// The cubic B-spline through the voxels of an image (Unser, "Splines: a perfect fit for signal and image processing",
 /// 1999): unlike `Image_function` it smooths nothing. Beyond the border it goes on with the nearest value on it.
 class Cubic_interpolation {
 public:
-  explicit Cubic_interpolation(const Image& image) : index_(image.lattice), size_(image.lattice.size), c_(image.voxels) {
+  explicit Cubic_interpolation(const Image& image)
+      : index_(image.lattice), size_(image.lattice.size), c_(image.voxels) {
     const auto [nx, ny, nz] = size_;
     for (std::size_t line = 0; line < ny * nz; ++line)
       prefilter(line * nx, 1, nx);

@@ -16,9 +16,7 @@ namespace {
 
 /// 1 − x² − 2y² − 4z² on 64³ voxels.
 Image ellipsoid(double step) {
-  Image image{{{-31.5 * step, -31.5 * step, -31.5 * step},
-               {{{step, 0, 0}, {0, step, 0}, {0, 0, step}}},
-               {64, 64, 64}},
+  Image image{{{-31.5 * step, -31.5 * step, -31.5 * step}, {{{step, 0, 0}, {0, step, 0}, {0, 0, step}}}, {64, 64, 64}},
               {}};
   for (std::size_t k = 0; k < 64; ++k)
     for (std::size_t j = 0; j < 64; ++j)
