@@ -19,6 +19,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <ostream>
 #include <set>
 
 using namespace CGAL::Extremal_mesh_3;
@@ -113,6 +114,10 @@ struct Noise {
   double sigma; ///< of the vertices along the radius, in mean lengths of an edge
   int rings;    ///< of the jets
   unsigned seed;
+
+  friend std::ostream& operator<<(std::ostream& out, const Noise& n) {
+    return out << n.sigma << " edges, " << n.rings << " rings, seed " << n.seed;
+  }
 };
 
 class Ellipsoid_with_vertex_noise : public testing::TestWithParam<Noise> {};
