@@ -3,6 +3,7 @@
 //
 // What holds for the extremal mesh of any surface, on surfaces with border in the form that the border leaves.
 #include "checks.h"
+#include "winding.h"
 
 #include <fmt/format.h>
 
@@ -103,13 +104,7 @@ Check check_winding(const Extremal_mesh& mesh) {
     const Extremal_mesh_vertex& x = mesh.vertex(v);
     if (x.kind == Vertex_kind::boundary)
       continue;
-    // Im Φ has the sign of E_g, and on the lines Re Φ < 0 where e1 = 0, Re Φ > 0 where e2 = 0: each branch that a small
-    // circle crosses tells in which direction Φ goes through the real axis, by half a turn.
-    int half_turns = 0;
-    for (const Half_edge h : x.star) {
-      const int before = mesh.cell(mesh.left_cell(h ^ 1U)).sign, after = mesh.cell(mesh.left_cell(h)).sign;
-      half_turns += (mesh.edge(h / 2).family == 2 ? after - before : before - after) / 2;
-    }
+    const int half_turns = half_turns_of_phi(mesh, x);
     if (half_turns != std::lround(4 * (x.umbilic_index - x.field_index)))
       bad.at(fmt::format("around {} {} of indices {} and {} it turns by {} half turns", to_string(x.kind), v,
                          x.umbilic_index, x.field_index, half_turns),

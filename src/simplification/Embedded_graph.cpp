@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Embedded_graph.h"
 
+#include "../algorithms/winding.h"
 #include "../differential/vector.h"
 
 #include <algorithm>
@@ -28,17 +29,6 @@ Embedded_graph::Edge measured(const Extremal_mesh_edge& e, double surface_area) 
   }
   edge.difference = edge.extremality;
   return edge;
-}
-
-/// twice the winding of Φ = P² Q around a vertex, from its branches: Im Φ changes sign across each, Re Φ is positive on those of
-/// family 2. It is 2·(index of Q's directions)·… = 4·(umbilic index − field index).
-int winding_of_branches(const Extremal_mesh& mesh, const Extremal_mesh_vertex& v) {
-  int quarters = 0;
-  for (const Half_edge h : v.star) {
-    const int sign_after = mesh.cell(mesh.left_cell(h)).sign; // counter-clockwise of the branch
-    quarters += (mesh.edge(h / 2).family == 2 ? 1 : -1) * sign_after;
-  }
-  return quarters;
 }
 
 } // namespace
@@ -75,7 +65,7 @@ Embedded_graph::Embedded_graph(const Extremal_mesh& mesh)
       previous_[next] = x.star[i];
     }
     vertex.frozen = x.kind == Vertex_kind::boundary || x.star.empty() ||
-                    winding_of_branches(mesh, x) != 2 * vertex.half_turns - 4 * vertex.field_index;
+                    half_turns_of_phi(mesh, x) != 2 * vertex.half_turns - 4 * vertex.field_index;
   }
   for (const Extremal_mesh_cell& c : mesh.cells())
     for (const auto& walk : c.boundary)

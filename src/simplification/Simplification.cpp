@@ -4,6 +4,7 @@
 #include "build_mesh.h"
 
 #include <CGAL/Extremal_mesh_3/check.h>
+#include <CGAL/Extremal_mesh_3/lines.h>
 #include <CGAL/Extremal_mesh_3/simplify.h>
 
 #include <fmt/format.h>
@@ -85,25 +86,18 @@ struct Simplification::Data {
   Embedded_graph graph_at(std::size_t level) const;
 };
 
-/// marks the crest lines that are strong enough. A line goes on straight through extremal points.
+/// marks the crest lines that are strong enough.
 void Simplification::Data::keep_crest_lines() {
   if (std::isinf(options.keep_crest))
     return;
-  const auto is_crest = [&](Half_edge h) { return mesh.edge(h / 2).type == Line_type::max_largest; };
-  Union_find lines(mesh.number_of_edges());
-  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
-    const Extremal_mesh_vertex& x = mesh.vertex(v);
-    if (x.kind == Vertex_kind::extremal_point && x.star.size() == 4)
-      for (const std::size_t i : {0U, 1U})
-        if (is_crest(x.star[i]) && is_crest(x.star[i + 2]))
-          lines.unite(x.star[i] / 2, x.star[i + 2] / 2);
+  for (const Extremal_line& line : strongest_crest_lines(mesh, mesh.number_of_edges())) {
+    double strength = 0;
+    for (const Half_edge h : line.half_edges)
+      strength += mesh.edge(h / 2).strength;
+    if (strength >= options.keep_crest)
+      for (const Half_edge h : line.half_edges)
+        start.keep(h / 2);
   }
-  std::vector<double> strength(mesh.number_of_edges(), 0);
-  for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e)
-    strength[lines.find(e)] += mesh.edge(e).strength;
-  for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e)
-    if (is_crest(2 * e) && strength[lines.find(e)] >= options.keep_crest)
-      start.keep(e);
 }
 
 void Simplification::Data::find_steps() {

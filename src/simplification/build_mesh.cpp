@@ -104,12 +104,12 @@ private:
     vertex.kind = from.kind;
     vertex.umbilic_index = from.half_turns / 2.0;
     vertex.field_index = from.field_index;
-    if (from.kind != Vertex_kind::umbilic)
+    if (from.kind != Vertex_kind::umbilic) {
       vertex.umbilic_type = Umbilic_type::none;
-    else if (from.half_turns != old_half_turns || vertex.umbilic_type == Umbilic_type::none)
-      vertex.umbilic_type = from.half_turns > 0 ? Umbilic_type::lemon : Umbilic_type::star;
-    if (from.kind != Vertex_kind::umbilic)
       vertex.ridges = 0;
+    } else if (from.half_turns != old_half_turns || vertex.umbilic_type == Umbilic_type::none) {
+      vertex.umbilic_type = from.half_turns > 0 ? Umbilic_type::lemon : Umbilic_type::star;
+    }
     if (from.kind != Vertex_kind::extremal_point)
       vertex.extrema = {};
   }

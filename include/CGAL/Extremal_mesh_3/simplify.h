@@ -42,8 +42,7 @@ struct Simplification_step {
 };
 
 struct Simplification_options {
-  /// crest lines (`Extremal_mesh_edge::type` max_largest, followed straight through extremal points) of at least this
-  /// strength keep their course
+  /// crest lines, as `strongest_crest_lines()` gathers them, of at least this strength keep their course
   double keep_crest = std::numeric_limits<double>::infinity();
 };
 
