@@ -178,6 +178,13 @@ int lines_through_umbilic(const Linear_field& P, const Linear_field& Q) {
   return lines_through_umbilic(a(P), b(P), a(Q), b(Q));
 }
 
+Umbilic_fields fields_at_umbilic(Complex A1, Complex A3) {
+  // Q ≈ α z + β z̄ (Codazzi), and P = Ā3 Q + A1 Q̄.
+  const Complex alpha = A1 / 3.0, beta = A3, i(0, 1);
+  const Linear_field Q{alpha + beta, i * (alpha - beta)};
+  return {{std::conj(A3) * Q.x + A1 * std::conj(Q.x), std::conj(A3) * Q.y + A1 * std::conj(Q.y)}, Q};
+}
+
 Umbilic_class classify_umbilic(Complex A1, Complex A3) {
   const double a1 = std::norm(A1), a3 = std::norm(A3);
   Umbilic_class c;
@@ -186,13 +193,10 @@ Umbilic_class classify_umbilic(Complex A1, Complex A3) {
   if (c.index == 0 || c.field_index == 0)
     return c;
 
-  // Near the umbilic Q ≈ α z + β z̄ and P ≈ p z + q z̄.
-  const Complex alpha = A1 / 3.0, beta = A3;
-  const Complex p = std::conj(A3) * alpha + A1 * std::conj(beta);
-  const Complex q = std::conj(A3) * beta + A1 * std::conj(alpha);
-  c.ridges = lines_through_umbilic(p, q, alpha, beta);
-  // Lines of curvature that end at the umbilic leave in directions z with Q parallel to z²: Im(Q z̄²) = 0.
-  const int separatrices = real_lines({0, 0, alpha, beta});
+  const Umbilic_fields fields = fields_at_umbilic(A1, A3);
+  c.ridges = lines_through_umbilic(fields.P, fields.Q);
+  // Lines of curvature that end at the umbilic leave in directions z with Q ≈ A1/3 z + A3 z̄ parallel to z²: Im(Q z̄²) = 0.
+  const int separatrices = real_lines({0, 0, A1 / 3.0, A3});
   c.type = c.index < 0 ? Umbilic_type::star : (separatrices == 1 ? Umbilic_type::lemon : Umbilic_type::monstar);
   return c;
 }

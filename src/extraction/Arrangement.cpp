@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -14,12 +15,31 @@ namespace {
 
 /// the crossings that a cell without zeros would have joined in pairs: neighbours at the same level of the phase, once
 /// rising, once falling.
+/// \param joined  where there are four of one level: the sign of E_g on the side of their lines that is connected
 /// \param partner  for each crossing its partner, or −1 if it is left over
-void join_pairs(const Border_crossings& met, std::vector<int>& partner) {
+void join_pairs(const Border_crossings& met, int joined, std::vector<int>& partner) {
   const int n = int(met.crossings.size());
   partner.assign(std::size_t(n), -1);
+  if (joined != 0) {
+    std::map<std::int32_t, std::vector<std::size_t>> of_level;
+    for (std::size_t i = 0; i < met.crossings.size(); ++i)
+      of_level[met.crossings[i].level].push_back(i);
+    for (const auto& [level, c] : of_level) {
+      if (c.size() != 4)
+        continue;
+      // Between crossing c[i] and the next one E_g is positive if the phase rises from an even level.
+      const bool positive = met.crossings[c[0]].rising == (level % 2 == 0);
+      const std::size_t first = positive == (joined > 0) ? 1 : 0;
+      for (const std::size_t i : {first, first + 2}) {
+        partner[c[i]] = int(c[(i + 1) % 4]);
+        partner[c[(i + 1) % 4]] = int(c[i]);
+      }
+    }
+  }
   std::vector<int> open; // crossings still without a partner, in order
   for (int i = 0; i < n; ++i) {
+    if (partner[std::size_t(i)] >= 0)
+      continue;
     const Border_crossing& c = met.crossings[std::size_t(i)];
     if (!open.empty()) {
       const Border_crossing& last = met.crossings[std::size_t(open.back())];
@@ -170,7 +190,7 @@ void Arrangement::draw(std::uint32_t c) {
   // A vertex whose branches are certain, or hopeless, takes all; another one what is left when pairs are joined.
   const bool all = cell.content == Content::unresolved || (cell.certain && cell.content != Content::lines);
   if (!all)
-    join_pairs(met, partner);
+    join_pairs(met, cell.joined, partner);
 
   Node node;
   node.cell = c;

@@ -10,6 +10,7 @@
 #include "../cells/parallel.h"
 #include "../differential/vector.h"
 #include "analyse_cell.h"
+#include "nudge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -119,27 +120,29 @@ bool Refined_complex::should_divide(const Refined_edge& edge) const {
 
 void Refined_complex::settle_edges(std::size_t first) {
   Thread_pool pool(options_.threads);
-  std::vector<std::uint32_t> ids;
+  std::vector<Edge_cut> cuts;
   while (first < edges_.size()) {
     pool.for_each(edges_.size() - first, 256, [&](std::size_t i) { measure(std::uint32_t(first + i)); });
-    ids.clear();
+    cuts.clear();
     for (std::size_t e = first; e < edges_.size(); ++e)
       if (edges_[e].wanted)
-        ids.push_back(std::uint32_t(e));
+        cuts.push_back({std::uint32_t(e), 0.5});
     first = edges_.size();
-    divide_edges(ids);
+    divide_edges(cuts);
   }
 }
 
-void Refined_complex::divide_edges(const std::vector<std::uint32_t>& ids) {
+void Refined_complex::divide_edges(const std::vector<Edge_cut>& cuts) {
   Thread_pool pool(options_.threads);
   const std::size_t first_sample = samples_.size(), first_edge = edges_.size();
-  samples_.resize(first_sample + ids.size());
-  edges_.resize(first_edge + 2 * ids.size());
-  pool.for_each(ids.size(), 32, [&](std::size_t i) {
-    Refined_edge& edge = edges_[ids[i]];
+  samples_.resize(first_sample + cuts.size());
+  edges_.resize(first_edge + 2 * cuts.size());
+  pool.for_each(cuts.size(), 32, [&](std::size_t i) {
+    Refined_edge& edge = edges_[cuts[i].edge];
     const std::uint32_t middle = std::uint32_t(first_sample + i);
-    samples_[middle] = middle_of(surface_, samples_[edge.a], samples_[edge.b]);
+    const Sample &a = samples_[edge.a], &b = samples_[edge.b];
+    // Who asks for a cut elsewhere than in the middle wants to see what is there, however near to a line.
+    samples_[middle] = cuts[i].t == 0.5 ? middle_of(surface_, a, b) : sample_between(surface_, a, b, cuts[i].t);
     edge.child = std::uint32_t(first_edge + 2 * i);
     for (std::uint32_t c = 0; c < 2; ++c) {
       Refined_edge& child = edges_[edge.child + c];
@@ -149,10 +152,20 @@ void Refined_complex::divide_edges(const std::vector<std::uint32_t>& ids) {
       child.level = std::uint8_t(edge.level + 1);
     }
   });
-  for (const std::uint32_t e : ids)
-    for (const std::uint32_t cell : edges_[e].cell)
+  for (const Edge_cut& cut : cuts)
+    for (const std::uint32_t cell : edges_[cut.edge].cell)
       if (cell != no_id)
         touched_.push_back(cell);
+}
+
+/// of the cuts of one edge the first is made.
+void Refined_complex::cut_edges(std::vector<Edge_cut> cuts) {
+  std::stable_sort(cuts.begin(), cuts.end(), [](const Edge_cut& a, const Edge_cut& b) { return a.edge < b.edge; });
+  cuts.erase(std::unique(cuts.begin(), cuts.end(), [](const Edge_cut& a, const Edge_cut& b) { return a.edge == b.edge; }),
+             cuts.end());
+  const std::size_t first = edges_.size();
+  divide_edges(cuts);
+  settle_edges(first);
 }
 
 void Refined_complex::divide_cells(const std::vector<std::uint32_t>& ids) {
@@ -165,7 +178,10 @@ void Refined_complex::divide_cells(const std::vector<std::uint32_t>& ids) {
   std::sort(sides.begin(), sides.end());
   sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
   const std::size_t first_edge = edges_.size();
-  divide_edges(sides);
+  std::vector<Edge_cut> cuts;
+  for (const std::uint32_t side : sides)
+    cuts.push_back({side, 0.5});
+  divide_edges(cuts);
 
   // … and is joined from there with the middle of the cell, which leaves a quadrilateral around each corner.
   for (const std::uint32_t c : ids) {
@@ -197,7 +213,7 @@ void Refined_complex::divide_cells(const std::vector<std::uint32_t>& ids) {
   settle_edges(first_edge);
 }
 
-void Refined_complex::analyse(const std::vector<std::uint32_t>& all, bool may_divide) {
+void Refined_complex::analyse(const std::vector<std::uint32_t>& all, bool may_divide, std::vector<Edge_cut>* cuts) {
   Thread_pool pool(options_.threads);
   // In most cells nothing happens: what is found out about the others takes far less memory.
   std::vector<char> empty(all.size());
@@ -217,7 +233,8 @@ void Refined_complex::analyse(const std::vector<std::uint32_t>& all, bool may_di
   pool.for_each(cells.size(), 32, [&](std::size_t i) {
     const Refined_cell& cell = cells_[cells[i]];
     const bool may = may_divide && !cell.degenerate && cell.level < options_.max_level;
-    found[i] = analyse_cell(*this, cell, may, may && cell.level < options_.max_line_level);
+    found[i] = analyse_cell(*this, cell, may, may && cell.level < options_.max_line_level,
+                            cuts && !cell.degenerate ? cell.level + extra_edge_levels : 0);
   });
   for (std::size_t i = 0; i < cells.size(); ++i) {
     Refined_cell& cell = cells_[cells[i]];
@@ -225,10 +242,14 @@ void Refined_complex::analyse(const std::vector<std::uint32_t>& all, bool may_di
     cell.certain = found[i].certain;
     cell.winding_P = std::int8_t(std::clamp(found[i].winding_P, -100, 100));
     cell.winding_Q = std::int8_t(std::clamp(found[i].winding_Q, -100, 100));
+    cell.joined = found[i].joined;
     if (found[i].sample) {
       cell.center = std::uint32_t(samples_.size());
       samples_.push_back(*found[i].sample);
     }
+    if (cuts)
+      cuts->insert(cuts->end(), found[i].cuts.begin(), found[i].cuts.end());
+    cell.waits = !found[i].cuts.empty();
   }
 }
 
@@ -239,6 +260,7 @@ void Refined_complex::refine() {
     touched_[c] = std::uint32_t(c);
 
   std::vector<std::uint32_t> active, divide;
+  std::vector<Edge_cut> cuts;
   while (!touched_.empty()) {
     std::sort(touched_.begin(), touched_.end());
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
@@ -246,13 +268,15 @@ void Refined_complex::refine() {
     std::copy_if(touched_.begin(), touched_.end(), std::back_inserter(active),
                  [&](std::uint32_t c) { return !cells_[c].divided; });
     touched_.clear();
-    analyse(active, cells_.size() < most_cells_);
+    cuts.clear();
+    analyse(active, cells_.size() < most_cells_, &cuts);
     divide.clear();
     std::copy_if(active.begin(), active.end(), std::back_inserter(divide),
-                 [&](std::uint32_t c) { return cells_[c].content == Content::undecided; });
+                 [&](std::uint32_t c) { return cells_[c].content == Content::undecided && !cells_[c].waits; });
     if (options_.progress && !options_.progress(1 - double(divide.size()) / double(cells_.size())))
       throw Cancelled();
     report_.rounds += !divide.empty();
+    cut_edges(cuts);
     divide_cells(divide);
   }
   settle_folds();
@@ -284,7 +308,7 @@ void Refined_complex::settle_folds() {
   }
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  analyse(cells, false);
+  analyse(cells, false, nullptr);
 }
 
 } // namespace CGAL::Extremal_mesh_3

@@ -31,6 +31,12 @@ struct Refined_edge {
   bool divided() const { return child != no_id; }
 };
 
+/// Where an edge is to be divided: above a + t (b − a).
+struct Edge_cut {
+  std::uint32_t edge = no_id;
+  double t = 0.5;
+};
+
 /// What lies in a cell.
 enum class Content : std::uint8_t {
   undecided,
@@ -47,9 +53,12 @@ struct Refined_cell {
   std::uint8_t level = 0;
   bool divided = false;
   bool degenerate = false; ///< E_g is 0 up to rounding: what is found here means nothing, and is not looked into
+  bool waits = false;      ///< undecided until edges around it are cut
   bool certain = true;     ///< accepted by the tests, not for want of further levels
   Content content = Content::undecided;
   std::int8_t winding_P = 0, winding_Q = 0;
+  /// where four crossings of one level can be joined in two ways: the sign of E_g on the side that is connected
+  std::int8_t joined = 0;
 };
 
 class Refined_complex {
@@ -89,9 +98,11 @@ private:
   void measure(std::uint32_t edge);
   bool should_divide(const Refined_edge& edge) const;
   void settle_edges(std::size_t first);
-  void divide_edges(const std::vector<std::uint32_t>& ids);
+  void divide_edges(const std::vector<Edge_cut>& cuts);
+  void cut_edges(std::vector<Edge_cut> cuts);
   void divide_cells(const std::vector<std::uint32_t>& ids);
-  void analyse(const std::vector<std::uint32_t>& all, bool may_divide);
+  /// \param cuts  gets the cuts that cells ask for before they are decided; null: none is made any more
+  void analyse(const std::vector<std::uint32_t>& all, bool may_divide, std::vector<Edge_cut>* cuts);
   void settle_folds();
   void own(Half_edge h, std::uint32_t cell);
   Half_edge half(Half_edge h, int which) const;

@@ -9,8 +9,13 @@
 
 #include "../differential/umbilic_lines.h"
 #include "../differential/vector.h"
+#include "Flat_cell.h"
+#include "course_of_lines.h"
+#include "cuts_between_branches.h"
+#include "degenerate_vertex.h"
 #include "linear_fit.h"
 #include "locate.h"
+#include "nudge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,9 +32,10 @@ constexpr double one_to_one = 0.17;
 /// Values must keep from 0 by so many times the error.
 constexpr double clearance = 2.0;
 /// A linear model with error r over a cell of radius ρ has a gradient that is wrong by up to this times r/ρ.
-constexpr double gradient_error = 6.0;
-/// Cells narrower than this get additional samples around their middle.
-constexpr double least_aspect = 0.3;
+constexpr double gradient_error = 12.0;
+
+/// Cells that were divided so often are looked at for what never ends to ask for more.
+constexpr int level_of_symmetry = 5;
 
 /// What is known of a field in a cell.
 struct Field_state {
@@ -66,38 +72,6 @@ Field_state examine(const Planar_points& points, const std::vector<Complex>& val
   return state;
 }
 
-/// The cell in the tangent plane of its middle.
-struct Flat_cell {
-  Planar_points points; ///< border, then the middle, then what else was sampled
-  std::vector<Complex> P, Q;
-  std::size_t border = 0;
-  bool flat = true; ///< all normals are near to the middle's
-
-  void add(const Sample& middle, const Sample& s) {
-    const Vector d = s.p - middle.p;
-    points.add({dot(d, middle.shape.u), dot(d, middle.shape.v())});
-    flat = flat && dot(s.shape.n, middle.shape.n) > 0.5;
-    const Moved_fields f = moved_to(s, middle);
-    P.push_back(f.P);
-    Q.push_back(f.Q);
-  }
-};
-
-Flat_cell flatten(const Refined_complex& complex, const std::vector<Half_edge>& border, const Sample& middle) {
-  Flat_cell flat;
-  for (const Half_edge h : border)
-    flat.add(middle, complex.samples()[complex.source(h)]);
-  flat.border = border.size();
-  flat.add(middle, middle);
-  if (flat.points.aspect() < least_aspect) {
-    const double r = 0.5 * flat.points.radius;
-    for (const Vector& d : {r * middle.shape.u, r * middle.shape.v(), -r * middle.shape.u, -r * middle.shape.v()})
-      if (const auto s = complex.surface().sample(middle.p + d, middle.shape.n, r))
-        flat.add(middle, *s);
-  }
-  return flat;
-}
-
 /// tells whether the phase of Φ = P² Q has no critical point in the cell: ∇φ = 2 Im(∇P/P) + Im(∇Q/Q), taken with the
 /// gradients of the linear models, keeps to one side of a line by more than the error of the models.
 ///
@@ -125,29 +99,6 @@ bool phase_is_regular(const Flat_cell& flat, const Field_state& P, const Field_s
     if (!((gradient[i] * std::conj(direction)).real() > error[i]))
       return false;
   return true;
-}
-
-/// the phase, lifted to a real function: along the border by the edges' turns, to the inner samples by the least turn
-/// from each sample of the border. Empty if these do not agree.
-std::vector<double> lifted_phase(const Refined_complex& complex, const std::vector<Half_edge>& border,
-                                 const Flat_cell& flat) {
-  std::vector<double> phase(flat.points.z.size());
-  phase[0] = complex.samples()[complex.source(border[0])].phase;
-  for (std::size_t i = 1; i < border.size(); ++i) {
-    const Refined_edge& e = complex.edges()[border[i - 1] / 2];
-    const double turn = 2 * e.turn_P + e.turn_Q;
-    phase[i] = phase[i - 1] + (border[i - 1] % 2 == 0 ? turn : -turn);
-  }
-  for (std::size_t j = flat.border; j < phase.size(); ++j)
-    for (std::size_t i = 0; i < flat.border; ++i) {
-      const double lifted =
-          phase[i] + 2 * std::arg(flat.P[j] * std::conj(flat.P[i])) + std::arg(flat.Q[j] * std::conj(flat.Q[i]));
-      if (i == 0)
-        phase[j] = lifted;
-      else if (std::abs(lifted - phase[j]) > 1)
-        return {};
-    }
-  return phase;
 }
 
 /// tells whether the lines through a cell without zeros of P and Q run in one way only.
@@ -188,14 +139,16 @@ bool families_differ(const std::vector<Border_crossing>& c, std::size_t offset) 
 /// What the samples of a cell say of it.
 struct Judgement {
   bool known = false; ///< P and Q have as many zeros as their windings say
+  bool may_be_umbilic = false; ///< Q may vanish
   Content content = Content::undecided;
-  int lines = 0; ///< through the zero of Q, if P and Q were linear
+  Linear_field P, Q; ///< of an umbilic: the gradients of the models, in the basis of the middle
 };
 
 Judgement judge(const Refined_complex& complex, const std::vector<Half_edge>& border, const Border_crossings& met,
                 const Flat_cell& flat, int wP, int wQ) {
   const Field_state P = examine(flat.points, flat.P), Q = examine(flat.points, flat.Q);
   Judgement j;
+  j.may_be_umbilic = !Q.nonzero;
   j.known = flat.flat && (P.nonzero || P.simple) && (Q.nonzero || Q.simple);
   if (!j.known)
     return j;
@@ -206,47 +159,35 @@ Judgement judge(const Refined_complex& complex, const std::vector<Half_edge>& bo
     j.content = Content::extremal_point;
   if (std::abs(wP) == 1 && std::abs(wQ) == 1 && P.simple && Q.simple) {
     j.content = Content::umbilic;
-    j.lines = lines_through_umbilic({P.fit.x, P.fit.y}, {Q.fit.x, Q.fit.y});
+    j.P = {P.fit.x, P.fit.y};
+    j.Q = {Q.fit.x, Q.fit.y};
   }
   return j;
 }
 
 /// tells whether the branches that reach the border are those that the umbilic must have. On a surface that
 /// interpolates, the gradients of P and Q are only nearly what C says: there they decide themselves.
-bool has_generic_umbilic(const Surface& surface, const Sample& umbilic, const Judgement& judged,
-                         const Border_crossings& met, int wP, int wQ) {
-  int lines = judged.lines;
-  if (!surface.interpolates()) {
+/// \param cuts  gets where edges are to be cut if branches leave between neighbouring samples of the border
+bool has_generic_umbilic(const Refined_complex& complex, const std::vector<Half_edge>& border, const Sample& umbilic,
+                         const Sample& middle, const Judgement& judged, const Border_crossings& met, int wP, int wQ,
+                         int most_edge_level, std::vector<Edge_cut>& cuts) {
+  Umbilic_star star{umbilic.p, middle.shape.u, middle.shape.v(), judged.P, judged.Q};
+  int lines = 0;
+  if (complex.surface().interpolates()) {
+    lines = lines_through_umbilic(star.P, star.Q);
+  } else {
     const Umbilic_class c = classify_umbilic(umbilic.shape.A1, umbilic.shape.A3);
     if (2 * c.index != wQ || c.field_index != -wP)
       return false;
     lines = c.ridges;
+    const Umbilic_fields fields = fields_at_umbilic(umbilic.shape.A1, umbilic.shape.A3);
+    star = {umbilic.p, umbilic.shape.u, umbilic.shape.v(), fields.P, fields.Q};
   }
-  return met.crossings.size() == std::size_t(2 * lines) && families_differ(met.crossings, met.crossings.size() / 2);
-}
-
-/// adds the middles of up to three sides to cells with few samples. The corners and the middle of a quadrilateral see nothing of
-/// a saddle x² − y² along its sides, and so would miss two lines that pass each other there.
-bool add_sides(const Refined_complex& complex, const std::vector<Half_edge>& border, const Sample& middle,
-               Flat_cell& flat) {
-  constexpr std::size_t enough = 7; // a quadratic function has 6 coefficients
-  bool added = false;
-  for (std::size_t i = 0; i < border.size() && flat.points.z.size() < enough; ++i) {
-    const Half_edge h = border[i];
-    flat.add(middle, sample_between(complex.surface(), complex.samples()[complex.source(h)],
-                                    complex.samples()[complex.target(h)], 0.5));
-    added = true;
-  }
-  return added;
-}
-
-/// Phases this near to 0 or π, and values of P and Q that are less than this part of those around, are trouble.
-constexpr double on_line = 1e-4, small = 0.03;
-
-/// less than 1 if the sample lies on a line, or if |P| or |Q| is small against the values around.
-double distance_from_trouble(const Sample& s, double P_around, double Q_around) {
-  const double off_line = std::abs(std::sin(s.phase)) / on_line;
-  return std::min({off_line, std::abs(s.P) / (small * P_around), std::abs(s.shape.Q) / (small * Q_around)});
+  if (met.crossings.size() == std::size_t(2 * lines) && families_differ(met.crossings, met.crossings.size() / 2))
+    return true;
+  if (lines == 3)
+    cuts = cuts_between_branches(complex, border, star, most_edge_level);
+  return false;
 }
 
 } // namespace
@@ -286,44 +227,8 @@ Border_crossings border_crossings(const Refined_complex& complex, const std::vec
   return met;
 }
 
-bool should_be_nudged(const Sample& s, double P2_around, double Q2_around) {
-  const double off_line = std::min(std::abs(s.phase), pi - std::abs(s.phase));
-  return off_line < on_line || std::norm(s.P) < small * small * P2_around ||
-         std::norm(s.shape.Q) < small * small * Q2_around;
-}
-
-Sample nudged(const Surface& surface, const Sample& s, double size, double P_around, double Q_around,
-              const std::vector<const Sample*>& around) {
-  constexpr double part = 0.14, golden_angle = 2.399963229728653;
-  double best = distance_from_trouble(s, P_around, Q_around);
-  if (!(best < 1) || !s.exact)
-    return s;
-  Sample chosen = s;
-  const auto try_one = [&](const std::optional<Sample>& other) {
-    const double distance = other ? distance_from_trouble(*other, P_around, Q_around) : 0;
-    if (distance > best) {
-      best = distance;
-      chosen = *other;
-    }
-  };
-  if (surface.interpolates()) {
-    // Not straight towards another sample: what lies here would then lie on the edge from the opposite one.
-    const std::size_t n = around.size();
-    for (std::size_t i = 0; i < n && best < 1; ++i)
-      try_one(interpolate(surface, {&s, around[i], around[(i + 1) % n], around[(i + 2) % n]},
-                          {1 - part, 0.6 * part, 0.3 * part, 0.1 * part}));
-    return chosen;
-  }
-  for (int i = 0; i < 5 && best < 1; ++i) {
-    const double angle = golden_angle * (i + 1);
-    const Vector d = std::cos(angle) * s.shape.u + std::sin(angle) * s.shape.v();
-    try_one(surface.sample(s.p + part * size * d, s.shape.n, size));
-  }
-  return chosen;
-}
-
 Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& cell, bool may_divide,
-                           bool may_divide_lines) {
+                           bool may_divide_lines, int most_edge_level) {
   Cell_analysis result;
   std::vector<Half_edge> border;
   complex.border(cell, border);
@@ -359,6 +264,25 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
     result.content = Content::lines;
     return result;
   }
+  const bool no_vertex = judged.known && wP == 0 && wQ == 0;
+  if (no_vertex) {
+    const Line_course course = course_of_lines(complex, border, met, middle, flat, most_edge_level);
+    result.cuts = course.cuts;
+    result.joined = course.joined;
+    if (course.certain)
+      result.content = Content::lines;
+    if (course.certain || !course.cuts.empty())
+      return result;
+  }
+  if (cell.level >= level_of_symmetry && middle.exact && !complex.surface().interpolates()) {
+    std::optional<Sample> at;
+    if (no_vertex)
+      at = find_crossing_of_lines(complex, border, met, middle, flat);
+    else if (judged.may_be_umbilic)
+      at = find_flat_umbilic(complex, border, met, middle, flat);
+    if (at)
+      return accept(Content::unresolved, *at);
+  }
   const auto zero_of = [&](Field field) {
     if (!complex.surface().interpolates())
       return locate_zero(complex.surface(), field, middle, size, 2 * size);
@@ -372,11 +296,12 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
       return accept(Content::extremal_point, *at);
   if (judged.content == Content::umbilic)
     if (const auto at = zero_of(Field::Q))
-      if (has_generic_umbilic(complex.surface(), *at, judged, met, wP, wQ))
+      if (has_generic_umbilic(complex, border, *at, middle, judged, met, wP, wQ, most_edge_level, result.cuts))
         return accept(Content::umbilic, *at);
+  if (!result.cuts.empty())
+    return result;
 
   // Where the surface cannot be reached there is nothing to be found out by dividing.
-  const bool no_vertex = judged.known && wP == 0 && wQ == 0;
   if (middle.exact && (no_vertex ? may_divide_lines : may_divide)) {
     double P_around = 0, Q_around = 0;
     for (std::size_t i = 0; i < flat.border; ++i) {

@@ -30,6 +30,8 @@ struct Cell_analysis {
   bool certain = true;
   int winding_P = 0, winding_Q = 0; ///< of P and Q around the border: a multiple of a full turn
   std::optional<Sample> sample;     ///< the vertex in the cell, or its middle
+  std::int8_t joined = 0;           ///< as in `Refined_cell`
+  std::vector<Edge_cut> cuts;       ///< cut these edges, then ask again; nothing else is told
 };
 
 /// tells, without a look inside, that nothing happens in a cell: no line crosses its border, the fields hardly turn
@@ -42,17 +44,9 @@ bool is_plainly_empty(const Refined_complex& complex, const Refined_cell& cell);
 /// \param may_divide  give up with `Content::undecided` when in doubt; otherwise the simplest content that the border
 ///        allows is taken
 /// \param may_divide_lines  the same for cells that hold no vertex, if the lines may run in more than one way
+/// \param most_edge_level  edges of this level are not cut any more
 Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& cell, bool may_divide,
-                           bool may_divide_lines);
-
-/// tells whether a sample lies on a line, or so near to a zero of P or Q that |P| or |Q| is small against the values
-/// around, of which the squares are given.
-bool should_be_nudged(const Sample& s, double P2_around, double Q2_around);
-
-/// the sample, or one moved within the surface by a small part of `size` if it should be.
-/// \param around  samples towards which it may be moved on a surface that interpolates
-Sample nudged(const Surface& surface, const Sample& s, double size, double P_around, double Q_around,
-              const std::vector<const Sample*>& around);
+                           bool may_divide_lines, int most_edge_level);
 
 } // namespace CGAL::Extremal_mesh_3
 

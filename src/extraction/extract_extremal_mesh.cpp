@@ -12,8 +12,8 @@
 #include "Line_tracer.h"
 #include "Refined_complex.h"
 #include "Regions.h"
-#include "analyse_cell.h"
 #include "degeneracy.h"
+#include "nudge.h"
 
 #include <fmt/format.h>
 

@@ -23,7 +23,7 @@ constexpr std::int64_t highest_resolution = 20000;
 constexpr int most_rings = 1000;
 
 /// How often a cell may be divided.
-constexpr int function_level = 14;
+constexpr int function_level = 20;
 constexpr int image_level = 8;
 /// The noise of an image makes lines that nearly touch everywhere; to settle them all would take most of the time.
 constexpr int image_line_level = 2;

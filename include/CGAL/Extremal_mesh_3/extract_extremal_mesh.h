@@ -19,11 +19,11 @@ namespace CGAL::Extremal_mesh_3 {
 struct Extraction_options {
   int threads = 0;    ///< 0: as many as the machine has cores. The result does not depend on it.
   /// a cell is divided at most so many times, each time into cells of half the size
-  int max_level = 14;
+  int max_level = 20;
   /// a cell that is known to hold no vertex, but in which the course of the lines is not certain, at most so many times.
   /// With less than `max_level` small closed lines may be missed and lines that nearly touch be joined otherwise, but
   /// no extremal point or umbilic; on noisy images most of the time is saved
-  int max_line_level = 14;
+  int max_line_level = 20;
   bool patches = false; ///< also return the surface cut along the lines
   Progress progress;
 };

@@ -1,0 +1,343 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "course_of_lines.h"
+
+#include "Quadratic_model.h"
+#include "degenerate_vertex.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace CGAL::Extremal_mesh_3 {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// adds samples at the middles of the sides, and half way from the middle of the cell to its corners.
+void add_samples(const Refined_complex& complex, const std::vector<Half_edge>& border, const Sample& middle,
+                 Flat_cell& flat) {
+  constexpr std::size_t most_sides = 8;
+  const std::size_t step = (border.size() + most_sides - 1) / most_sides;
+  for (std::size_t i = 0; i < border.size(); i += step) {
+    const Sample &a = complex.samples()[complex.source(border[i])], &b = complex.samples()[complex.target(border[i])];
+    flat.add(middle, sample_between(complex.surface(), a, b, 0.5));
+    flat.add(middle, sample_between(complex.surface(), middle, a, 0.5));
+  }
+}
+
+/// the place of the greatest value of a function with one maximum in [low, high], by golden sections.
+template <class Function> double place_of_maximum(const Function& f, double low, double high, int steps) {
+  constexpr double golden = 0.6180339887498949;
+  double a = high - golden * (high - low), b = low + golden * (high - low), fa = f(a), fb = f(b);
+  for (int i = 0; i < steps; ++i) {
+    if (fa < fb) {
+      low = a;
+      a = b;
+      fa = fb;
+      b = low + golden * (high - low);
+      fb = f(b);
+    } else {
+      high = b;
+      b = a;
+      fb = fa;
+      a = high - golden * (high - low);
+      fa = f(a);
+    }
+  }
+  return (low + high) / 2;
+}
+
+/// A saddle nearer than this to a level is on it up to rounding: which way lines pass there is not to be known.
+constexpr double least_height_of_saddle = 1e-8;
+/// The same elsewhere. Beside a saddle on its level heights are far less than one would expect from the distance.
+constexpr double rounding = 1e-13;
+
+double distance_to_level(double phase) {
+  return std::abs(phase - pi * std::round(phase / pi));
+}
+
+int levels_between(double a, double b) {
+  return int(std::abs(std::floor(a / pi) - std::floor(b / pi)));
+}
+
+class Course {
+public:
+  Course(const Refined_complex& complex, const std::vector<Half_edge>& border, const Border_crossings& met,
+         const Flat_cell& flat, const std::vector<double>& phase, int most_edge_level)
+      : complex_(complex), border_(border), met_(met), phase_(phase.begin(), phase.begin() + std::ptrdiff_t(border.size())), most_edge_level_(most_edge_level),
+        model_(flat) {
+    for (std::size_t i = 0; i < border.size(); ++i)
+      corner_.push_back(flat.points.z[i] / model_.scale());
+  }
+
+  Line_course find() {
+    Line_course course;
+    const std::vector<Critical_point> critical = critical_points();
+    const bool joined = join(critical, course.joined);
+    const bool no_closed_line = has_no_closed_line(critical);
+    std::vector<Edge_cut> cuts;
+    const bool border = border_is_certain(cuts);
+    // Where lines seem to cross beside the border, cuts would pull corners towards the crossing: it would stay there.
+    if (!cuts.empty() && (no_closed_line || std::none_of(critical.begin(), critical.end(), [&](const auto& c) {
+          return c.saddle && is_on_level(c) && !is_well_inside(c.z);
+        }))) {
+      course.cuts = std::move(cuts);
+      return course;
+    }
+    course.certain = border && joined && no_closed_line;
+    return course;
+  }
+
+private:
+  Complex on_edge(std::size_t i, double t) const { return (1 - t) * corner_[i] + t * corner_[(i + 1) % corner_.size()]; }
+
+  /// The phase along an edge at steps of 1/steps, lifted from the one at its first end.
+  static constexpr int steps = 12;
+  std::array<double, steps + 1> phases_on_edge(std::size_t i) const {
+    std::array<double, steps + 1> result;
+    Complex before = model_.phi(on_edge(i, 0));
+    result[0] = phase_[i];
+    for (int k = 1; k <= steps; ++k) {
+      const Complex here = model_.phi(on_edge(i, double(k) / steps));
+      result[std::size_t(k)] = result[std::size_t(k - 1)] + std::arg(here * std::conj(before));
+      before = here;
+    }
+    return result;
+  }
+
+  /// tells whether each edge is crossed as often as it seems; asks for a cut where one is crossed twice more.
+  bool border_is_certain(std::vector<Edge_cut>& cuts) const {
+    bool certain = true;
+    for (std::size_t i = 0; i < border_.size(); ++i) {
+      const auto phases = phases_on_edge(i);
+      const double end = phase_[(i + 1) % phase_.size()];
+      const int seen = levels_between(phases.front(), end);
+      double hidden_at = 0, hidden = 0, before = phases.front();
+      int crossed = 0;
+      for (std::size_t k = 1; k < steps; ++k) {
+        const double rise = phases[k] - phases[k - 1], on = phases[k + 1] - phases[k];
+        // An extremum beside a sample at an end is seen in the slope there only.
+        const bool turns = (rise < 0) != (on < 0) || (k == 1 && 2 * std::abs(rise) < std::abs(on)) ||
+                           (k + 1 == steps && 2 * std::abs(on) < std::abs(rise));
+        if (!turns)
+          continue;
+        const double turned = (rise < 0) != (on < 0) ? (rise < 0 ? -1 : 1)
+                              : 2 * std::abs(rise) < std::abs(on) ? (on < 0 ? 1 : -1) : (rise < 0 ? -1 : 1);
+        const Complex base = std::polar(1.0, -phases[k]);
+        const double t = place_of_maximum(
+            [&](double at) { return turned * std::arg(model_.phi(on_edge(i, at)) * base); },
+            double(k == 1 ? 0 : k - 1) / steps, double(k + 1 == steps ? steps : k + 1) / steps, 25);
+        const double extreme = phases[k] + std::arg(model_.phi(on_edge(i, t)) * base);
+        certain &= distance_to_level(extreme) > rounding + model_.phase_error(on_edge(i, t));
+        crossed += levels_between(before, extreme);
+        if (levels_between(before, extreme) > 0 && distance_to_level(extreme) > hidden) {
+          hidden = distance_to_level(extreme);
+          hidden_at = t;
+        }
+        before = extreme;
+      }
+      crossed += levels_between(before, end);
+      if (crossed <= seen)
+        continue;
+      certain = false;
+      const std::uint32_t edge = border_[i] / 2;
+      if (hidden > 0 && hidden_at > 1e-3 && hidden_at < 1 - 1e-3 && complex_.edges()[edge].level < most_edge_level_)
+        cuts.push_back({edge, border_[i] % 2 == 0 ? hidden_at : 1 - hidden_at});
+    }
+    return certain;
+  }
+
+  bool is_inside(Complex z) const {
+    bool inside = false;
+    for (std::size_t i = 0, j = corner_.size() - 1; i < corner_.size(); j = i++) {
+      const Complex a = corner_[i] - z, b = corner_[j] - z;
+      if ((a.imag() > 0) != (b.imag() > 0) && (a.real() - a.imag() * (b.real() - a.real()) / (b.imag() - a.imag())) > 0)
+        inside = !inside;
+    }
+    return inside;
+  }
+
+  struct Critical_point {
+    Complex z;
+    double phase = 0; ///< lifted
+    bool saddle = true;
+  };
+
+  /// the critical points of the phase in the cell.
+  std::vector<Critical_point> critical_points() const {
+    constexpr int starts = 4;
+    constexpr double apart = 1e-4;
+    std::vector<Critical_point> found;
+    for (int i = 0; i < starts * starts; ++i) {
+      Complex z(-0.75 + 0.5 * (i % starts), -0.75 + 0.5 * (i / starts)); // NOLINT(bugprone-integer-division)
+      if (!find_critical_point(z) || !is_inside(0.9 * z) ||
+          std::any_of(found.begin(), found.end(), [&](const auto& c) { return std::abs(c.z - z) < apart; }))
+        continue;
+      // Lifted from the nearest corner, from where it turns little.
+      const auto nearest = std::min_element(corner_.begin(), corner_.end(), [&](Complex a, Complex b) {
+        return std::abs(a - z) < std::abs(b - z);
+      });
+      const double phase = phase_[std::size_t(nearest - corner_.begin())] +
+                           std::arg(model_.phi(z) * std::conj(model_.phi(*nearest)));
+      found.push_back({z, phase, model_.slopes(z).hessian() < 0});
+    }
+    return found;
+  }
+
+  bool is_on_level(const Critical_point& c) const {
+    return distance_to_level(c.phase) <= least_height_of_saddle + model_.phase_error(c.z);
+  }
+
+  bool is_well_inside(Complex z) const {
+    for (std::size_t i = 0; i < corner_.size(); ++i) {
+      const Complex a = corner_[i] - z, b = corner_[(i + 1) % corner_.size()] - z;
+      if ((std::conj(a) * b).imag() < least_distance_of_vertex * std::abs(b - a))
+        return false;
+    }
+    return true;
+  }
+
+  /// tells whether no line closes inside: around one that does there would be an extremum of the phase.
+  bool has_no_closed_line(const std::vector<Critical_point>& critical) const {
+    const double least = *std::min_element(phase_.begin(), phase_.end());
+    return std::all_of(critical.begin(), critical.end(), [&](const Critical_point& c) {
+      return !is_on_level(c) && (c.saddle || (met_.crossings.empty() && levels_between(c.phase, least) == 0));
+    });
+  }
+
+  /// Newton's method for ∇φ = 0.
+  bool find_critical_point(Complex& z) const {
+    for (int k = 0; k < 15; ++k) {
+      const auto s = model_.slopes(z);
+      const double det = s.hessian();
+      Complex step((s.y * s.xy - s.x * s.yy) / det, (s.x * s.xy - s.y * s.xx) / det);
+      const double length = std::abs(step);
+      if (!(length < 1e3))
+        return false;
+      z += length > 0.5 ? 0.5 / length * step : step;
+      if (std::abs(z) > 1.5)
+        return false;
+      if (length < 1e-8)
+        return true;
+    }
+    return false;
+  }
+
+  /// A part of the border between two crossings, as points (edge + t).
+  struct Interval {
+    Complex best;
+    double height = 0; ///< there
+  };
+
+  /// the point of the border between crossings i and j, walking on from i, that is highest.
+  template <class Height> Interval best_between(std::size_t i, std::size_t j, const Height& height) const {
+    Interval interval{0, -1e300};
+    const auto edge_of = [&](std::size_t c) {
+      return std::size_t(std::find(border_.begin(), border_.end(), met_.crossings[c].half_edge) - border_.begin());
+    };
+    const std::size_t first = edge_of(i), last = edge_of(j), n = border_.size();
+    const auto look = [&](Complex z) {
+      if (const double h = height(z); h > interval.height)
+        interval = {z, h};
+    };
+    // Edges are crossed once: the interval goes from within `first` over corners to within `last`.
+    for (std::size_t e = first; e != last; e = (e + 1) % n) {
+      look(corner_[(e + 1) % n]);
+      if (e != first)
+        for (int k = 1; k < steps; ++k)
+          look(on_edge(e, double(k) / steps));
+    }
+    return interval;
+  }
+
+  /// how far the height keeps above the error along the crest from one place of the border to another, inside.
+  template <class Height> double clearance_along(Complex from, Complex to, const Height& height) const {
+    constexpr int stations = 32, between = 4;
+    constexpr double aside = 0.04;
+    constexpr double outside = -10; // lower than any height
+    Complex last = from;
+    const Complex along = to - from, across = Complex(0, 1) * along;
+    double least = 1e300, offset = 0;
+    for (int k = 0; k <= stations; ++k) {
+      const double s = double(k) / stations;
+      const auto at = [&](double o) { return from + s * along + o * across; };
+      if (k > 0 && k < stations) {
+        offset = place_of_maximum([&](double o) { return is_inside(at(o)) ? height(at(o)) : outside - std::abs(o); },
+                                  offset - aside, offset + aside, 12);
+        if (!is_inside(at(offset)))
+          return outside;
+      } else {
+        offset = 0;
+      }
+      for (int i = 1; i <= between; ++i) { // it must not jump over what lies between
+        const Complex z = last + double(i) / between * (at(offset) - last);
+        least = std::min(least, height(z) - model_.phase_error(z) - rounding);
+      }
+      last = at(offset);
+    }
+    return least;
+  }
+
+  /// tells whether crossings can be joined in one way only; where four of one level can in two, finds which.
+  ///
+  /// With one saddle and no extremum inside, the sides that are connected are those on which the saddle lies.
+  bool join(const std::vector<Critical_point>& critical, std::int8_t& joined) const {
+    std::map<std::int32_t, std::vector<std::size_t>> of_level;
+    for (std::size_t i = 0; i < met_.crossings.size(); ++i) {
+      // Walking around, the level shifts by twice the winding, which is 0 here.
+      of_level[met_.crossings[i].level].push_back(i);
+    }
+    bool one = false;
+    for (const auto& [level, c] : of_level) {
+      if (c.size() == 2)
+        continue;
+      if (c.size() != 4 || one)
+        return false;
+      one = true;
+      if (!critical.empty()) {
+        const Critical_point& saddle = critical.front();
+        joined = std::int8_t((saddle.phase > pi * level) == (level % 2 == 0) ? 1 : -1);
+        if (critical.size() > 1 || !saddle.saddle || std::abs(saddle.phase - pi * level) > pi / 2)
+          return false;
+        continue;
+      }
+      const double sign = level % 2 == 0 ? 1 : -1;
+      const auto above = [&, s = sign](Complex z) { return std::arg(s * model_.phi(z)); };
+      const auto below = [&, s = sign](Complex z) { return -std::arg(s * model_.phi(z)); };
+      const std::size_t rise = met_.crossings[c[0]].rising ? 0 : 1; // above between c[rise] and the next
+      const auto at = [&](std::size_t k) { return c[(rise + k) % 4]; };
+      const double up = clearance_along(best_between(at(0), at(1), above).best,
+                                        best_between(at(2), at(3), above).best, above);
+      const double down = clearance_along(best_between(at(1), at(2), below).best,
+                                          best_between(at(3), at(0), below).best, below);
+      joined = std::int8_t((up > down) == (level % 2 == 0) ? 1 : -1);
+      if ((up > 0) == (down > 0))
+        return false;
+    }
+    return true;
+  }
+
+  const Refined_complex& complex_;
+  const std::vector<Half_edge>& border_;
+  const Border_crossings& met_;
+  std::vector<double> phase_;   ///< lifted, of the corners
+  std::vector<Complex> corner_; ///< of the border, in units of the radius
+  int most_edge_level_;
+  Quadratic_model model_;
+};
+
+} // namespace
+
+Line_course course_of_lines(const Refined_complex& complex, const std::vector<Half_edge>& border,
+                            const Border_crossings& met, const Sample& middle, Flat_cell& flat, int most_edge_level) {
+  add_samples(complex, border, middle, flat);
+  const std::vector<double> phase = lifted_phase(complex, border, flat);
+  if (phase.empty() || !flat.flat)
+    return {};
+  return Course(complex, border, met, flat, phase, most_edge_level).find();
+}
+
+} // namespace CGAL::Extremal_mesh_3
