@@ -7,6 +7,7 @@
 // same segments.
 #include "cube.h"
 #include "parallel.h"
+#include "prove_surface.h"
 #include "refine_folds.h"
 
 #include <CGAL/Extremal_mesh_3/extract_extremal_mesh.h>
@@ -170,9 +171,22 @@ private:
   std::vector<std::uint32_t> z_;
 };
 
+/// Room for what is small or thin without end where there is nothing to find, as around poles: some seconds of work.
+constexpr std::size_t most_divided = std::size_t(1) << 15;
+
+std::string no_surface_text(const Surface_report& report) {
+  std::string text = "the function has no zero surface in the box";
+  if (report.undecided_cubes != 0) {
+    const Point& p = report.first_undecided;
+    text += fmt::format(", or only where this cannot be decided, as around ({}, {}, {})", p[0], p[1], p[2]);
+  }
+  return text;
+}
+
 } // namespace
 
-Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, const Extraction_options& options) {
+Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, const Extraction_options& options,
+                                 Surface_report* report) {
   for (const std::size_t n : lattice.size)
     if (n < 2)
       throw std::invalid_argument("a lattice must have at least 2 nodes along each axis");
@@ -194,13 +208,23 @@ Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, co
       throw Cancelled();
   }
   Woven_cells& woven = walker.woven;
-  if (woven.cubes.empty())
-    throw Extraction_error("the function has no zero surface in the box");
-
   woven.points.resize(woven.cuts.size());
   pool.for_each(woven.points.size(), 256,
                 [&](std::size_t p) { woven.points[p] = surface_point(f, lattice, woven.cuts[p]); });
-  refine_folds(f, lattice, woven, pool);
+  Surface_report found;
+  Octree tree(lattice.size);
+  found.certainty = Surface_certainty::tested;
+  if (f.bounds_cost() == Bounds_cost::low || (f.bounds_cost() != Bounds_cost::unknown && options.prove_surface)) {
+    prove_surface(f, lattice, most_divided + woven.cubes.size(), pool, tree, found);
+    found.certainty = Surface_certainty::proved;
+  }
+  refine_folds(f, lattice, woven, pool, tree);
+  for (const Grid_cube& cube : tree.divided_cubes())
+    found.divided_cubes += cube.level == 0;
+  if (report)
+    *report = found;
+  if (woven.cubes.empty())
+    throw Extraction_error(no_surface_text(found));
   return make_cell_complex(std::move(woven.points), woven.polygon_begin, woven.corners);
 }
 

@@ -24,12 +24,16 @@ constexpr double plain_normal_cosine = 0.7;
 
 class Folds {
 public:
-  Folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool)
-      : f_(f), lattice_(lattice), coarse_(cells), pool_(pool), tree_(lattice.size) {}
+  Folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool, Octree& tree)
+      : f_(f), lattice_(lattice), coarse_(cells), pool_(pool), tree_(tree) {}
 
   void refine() {
     current_ = coarse_;
     add_normals();
+    if (!tree_.divided_cubes().empty()) {
+      weave();
+      add_normals();
+    }
     for (int round = 0; round < Octree::levels; ++round) {
       const std::vector<Grid_cube> folded = folded_cubes();
       if (folded.empty() || !divide(folded, round == 0))
@@ -120,22 +124,27 @@ private:
     return result;
   }
 
+  /// weaves the cells by the tree, which is divided further where that is ambiguous.
   void weave() {
-    const std::set<Grid_cube> cubes = cubes_to_weave();
     Octree_weaver weaver(f_, lattice_, tree_);
-    give_values(cubes, weaver);
-    for (std::uint32_t p = 0; p < coarse_.cuts.size(); ++p) {
-      const Cut_edge& cut = coarse_.cuts[p];
-      Grid_point base;
-      for (std::size_t a = 0; a < 3; ++a)
-        base[a] = std::int64_t(cut.node[a]) * Octree::unit;
-      if (cubes.count({base, 0}) || touches(cubes, base, cut.axis))
-        weaver.set_point(base, cut.axis, p);
-    }
-    weaver.set_first_new_point(std::uint32_t(coarse_.points.size()));
-    for (const Grid_cube& c : cubes)
-      weaver.weave(c);
+    std::set<Grid_cube> cubes;
+    do {
+      for (const Grid_cube& c : weaver.ambiguous_cubes)
+        tree_.divide(c);
+      if (!weaver.ambiguous_cubes.empty())
+        tree_.balance();
+      weaver.clear();
+      cubes = cubes_to_weave();
+      give_values(cubes, weaver);
+      give_points(cubes, weaver);
+      for (const Grid_cube& c : cubes)
+        weaver.weave(c);
+    } while (!weaver.ambiguous_cubes.empty());
+    take(cubes, weaver);
+  }
 
+  /// puts together the coarse cells outside of the woven cubes and those that the weaver made.
+  void take(const std::set<Grid_cube>& cubes, const Octree_weaver& weaver) {
     current_ = {};
     current_.points = coarse_.points;
     normals_.resize(coarse_.points.size());
@@ -169,6 +178,18 @@ private:
         return true;
     }
     return false;
+  }
+
+  void give_points(const std::set<Grid_cube>& cubes, Octree_weaver& weaver) const {
+    for (std::uint32_t p = 0; p < coarse_.cuts.size(); ++p) {
+      const Cut_edge& cut = coarse_.cuts[p];
+      Grid_point base;
+      for (std::size_t a = 0; a < 3; ++a)
+        base[a] = std::int64_t(cut.node[a]) * Octree::unit;
+      if (cubes.count({base, 0}) || touches(cubes, base, cut.axis))
+        weaver.set_point(base, cut.axis, p);
+    }
+    weaver.set_first_new_point(std::uint32_t(coarse_.points.size()));
   }
 
   /// At the nodes of the lattice the weaver must see the values that the lattice was woven with.
@@ -209,15 +230,15 @@ private:
   const Lattice& lattice_;
   Woven_cells& coarse_;
   Thread_pool& pool_;
-  Octree tree_;
+  Octree& tree_;
   Woven_cells current_;
   std::vector<Vector> normals_; ///< of the points of current_
 };
 
 } // namespace
 
-void refine_folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool) {
-  Folds(f, lattice, cells, pool).refine();
+void refine_folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool, Octree& tree) {
+  Folds(f, lattice, cells, pool, tree).refine();
 }
 
 } // namespace CGAL::Extremal_mesh_3

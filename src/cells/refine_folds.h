@@ -23,7 +23,8 @@ struct Woven_cells {
 /// weaves the polygons anew, in smaller cubes, where the lattice is too coarse for the surface: where the normals
 /// around a polygon differ by a right angle or so, the polygon faces elsewhere than the surface does, or the surface
 /// does not pass by its middle. There the lattice may have joined or cut what the surface has not.
-void refine_folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool);
+/// \param tree  the cubes that are to be divided in any case; those that are divided for folds are added
+void refine_folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool, Octree& tree);
 
 } // namespace CGAL::Extremal_mesh_3
 
