@@ -218,7 +218,13 @@ Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, co
     prove_surface(f, lattice, most_divided + woven.cubes.size(), pool, tree, found);
     found.certainty = Surface_certainty::proved;
   }
-  refine_folds(f, lattice, woven, pool, tree);
+  const std::vector<Grid_cube> folded = refine_folds(f, lattice, woven, pool, tree);
+  if (found.certainty == Surface_certainty::tested && !folded.empty()) {
+    constexpr double unit(Octree::unit);
+    const Grid_point& at = folded.front().base;
+    found.undecided_cubes = folded.size();
+    found.first_undecided = lattice.node(double(at[0]) / unit, double(at[1]) / unit, double(at[2]) / unit);
+  }
   for (const Grid_cube& cube : tree.divided_cubes())
     found.divided_cubes += cube.level == 0;
   if (report)

@@ -21,30 +21,35 @@ constexpr double least_normal_cosine = 0.26;
 constexpr double least_facing_cosine = 0.26;
 /// … and only if they differ by more than this (cos 45°) is its middle looked at.
 constexpr double plain_normal_cosine = 0.7;
+/// More folds than this and one per cell are no surface that could be followed, but something like a pole.
+constexpr std::size_t most_folded = std::size_t(1) << 14;
 
 class Folds {
 public:
   Folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool, Octree& tree)
       : f_(f), lattice_(lattice), coarse_(cells), pool_(pool), tree_(tree) {}
 
-  void refine() {
+  /// \return the cubes in which folds are left
+  std::vector<Grid_cube> refine() {
     current_ = coarse_;
     add_normals();
     if (!tree_.divided_cubes().empty()) {
       weave();
       add_normals();
     }
-    for (int round = 0; round < Octree::levels; ++round) {
-      const std::vector<Grid_cube> folded = folded_cubes();
-      if (folded.empty() || !divide(folded, round == 0))
+    std::vector<Grid_cube> folded = folded_cubes();
+    for (int round = 0; round < Octree::levels && folded.size() <= most_folded + coarse_.cubes.size(); ++round) {
+      if (!divide(folded, round == 0))
         break;
       weave();
       add_normals();
+      folded = folded_cubes();
     }
-    if (tree_.divided_cubes().empty())
-      return;
-    drop_unused_points();
-    coarse_ = std::move(current_);
+    if (!tree_.divided_cubes().empty()) {
+      drop_unused_points();
+      coarse_ = std::move(current_);
+    }
+    return folded;
   }
 
 private:
@@ -91,7 +96,7 @@ private:
     pool_.for_each(folded.size(), 128, [&](std::size_t i) { folded[i] = is_folded(i); });
     std::vector<Grid_cube> cubes;
     for (std::size_t i = 0; i < folded.size(); ++i)
-      if (folded[i] && current_.cubes[i].level < Octree::levels)
+      if (folded[i])
         cubes.push_back(current_.cubes[i]);
     return cubes;
   }
@@ -101,6 +106,8 @@ private:
   bool divide(const std::vector<Grid_cube>& cubes, bool twice) {
     const std::size_t before = tree_.divided_cubes().size();
     for (const Grid_cube& c : cubes) {
+      if (c.level == Octree::levels)
+        continue;
       for (std::size_t a = 0; a < 3; ++a)
         for (const std::int64_t by : {-Octree::side(c.level), std::int64_t(0), Octree::side(c.level)}) {
           Grid_cube n = c;
@@ -237,8 +244,9 @@ private:
 
 } // namespace
 
-void refine_folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool, Octree& tree) {
-  Folds(f, lattice, cells, pool, tree).refine();
+std::vector<Grid_cube> refine_folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool,
+                                    Octree& tree) {
+  return Folds(f, lattice, cells, pool, tree).refine();
 }
 
 } // namespace CGAL::Extremal_mesh_3

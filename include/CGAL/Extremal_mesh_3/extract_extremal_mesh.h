@@ -44,10 +44,10 @@ struct Surface_report {
   /// cubes of the lattice that are divided, because the surface is too fine there for signs at their corners or for
   /// polygons in them; those beside them are, too
   std::size_t divided_cubes = 0;
-  /// cubes, most of them parts of cubes of the lattice, in which it is not proved that the cells have the topology of the surface:
-  /// parts of the surface may be missed or joined there, or the surface touches itself
+  /// cubes, most of them parts of cubes of the lattice, in which the proof, or the test, failed to the end: parts of the
+  /// surface may be missed or joined there, or the surface touches itself
   std::size_t undecided_cubes = 0;
-  Point first_undecided{}; ///< the middle of one of them
+  Point first_undecided{}; ///< in one of them
 };
 
 /// What was met on the way.
