@@ -5,6 +5,7 @@
 // tables. In each face of a cube the cut edges are joined by segments with the + side on their left (seen from outside
 // the cube); the segments of the six faces close up to polygons. A face is decided by itself, so both its cubes see the
 // same segments.
+#include "Hidden_parts.h"
 #include "cube.h"
 #include "parallel.h"
 #include "prove_surface.h"
@@ -172,7 +173,7 @@ private:
 };
 
 /// Room for what is small or thin without end where there is nothing to find, as around poles: some seconds of work.
-constexpr std::size_t most_divided = std::size_t(1) << 15;
+constexpr std::size_t most_divided = std::size_t(1) << 14;
 
 std::string no_surface_text(const Surface_report& report) {
   std::string text = "the function has no zero surface in the box";
@@ -196,11 +197,16 @@ Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, co
   const std::size_t nodes = lattice.size[0] * lattice.size[1], slices = lattice.size[2];
   const std::size_t block = std::clamp<std::size_t>((std::size_t(1) << 21) / nodes, 2, 16);
   std::vector<double> values((block + 1) * nodes); // slice 0 is the last one of the block before
+  const bool proves =
+      f.bounds_cost() == Bounds_cost::low || (f.bounds_cost() != Bounds_cost::unknown && options.prove_surface);
   Slab_walker walker(f, lattice);
+  Hidden_parts hidden(lattice);
   for (std::size_t first = 0; first < slices; first += block) {
     const std::size_t count = std::min(block, slices - first);
     pool.for_each(count, 1,
                   [&](std::size_t s) { f.lattice_values(lattice, first + s, values.data() + (s + 1) * nodes); });
+    for (std::size_t s = 0; !proves && s < count; ++s)
+      hidden.add_slice(values.data() + (s + 1) * nodes);
     for (std::size_t s = first == 0 ? 1 : 0; s < count; ++s)
       walker.walk(first + s - 1, values.data() + s * nodes, values.data() + (s + 1) * nodes);
     std::copy_n(values.begin() + std::ptrdiff_t(count * nodes), nodes, values.begin());
@@ -213,10 +219,12 @@ Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, co
                 [&](std::size_t p) { woven.points[p] = surface_point(f, lattice, woven.cuts[p]); });
   Surface_report found;
   Octree tree(lattice.size);
-  found.certainty = Surface_certainty::tested;
-  if (f.bounds_cost() == Bounds_cost::low || (f.bounds_cost() != Bounds_cost::unknown && options.prove_surface)) {
+  found.certainty = proves ? Surface_certainty::proved : Surface_certainty::tested;
+  if (proves)
     prove_surface(f, lattice, most_divided + woven.cubes.size(), pool, tree, found);
-    found.certainty = Surface_certainty::proved;
+  else {
+    hidden.end_slices();
+    hidden.divide(f, woven.cubes, pool, tree);
   }
   const std::vector<Grid_cube> folded = refine_folds(f, lattice, woven, pool, tree);
   if (found.certainty == Surface_certainty::tested && !folded.empty()) {
