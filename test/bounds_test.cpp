@@ -4,6 +4,7 @@
 
 #include <CGAL/Extremal_mesh_3/Formula.h>
 #include <CGAL/Extremal_mesh_3/Functor_function.h>
+#include <CGAL/Extremal_mesh_3/Image_function.h>
 #include <CGAL/Extremal_mesh_3/internal/interval_arithmetic.h>
 
 #include "derivatives_list.h"
@@ -303,6 +304,57 @@ TEST(Bounds, of_a_point_are_its_derivatives_to_rounding) {
       EXPECT_NEAR(bounds[i].high, values[i], 1e-9 * (1 + std::abs(values[i])));
     }
   }
+}
+
+TEST(Bounds, of_images_hold_at_random_points_of_random_boxes) {
+  for (const int degree : {5, 7}) {
+    Random random(11);
+    // 9 × 10 × 11 voxels of random values, on a turned lattice with sides of different lengths.
+    Image image;
+    image.lattice.size = {9, 10, 11};
+    image.lattice.origin = {1, -2, 3};
+    image.lattice.step = {Vector{0.8, 0.6, 0}, Vector{-0.54, 0.72, 0}, Vector{0, 0, 1.1}};
+    for (std::size_t i = 0; i < 9U * 10 * 11; ++i)
+      image.voxels.push_back(float(random.uniform(-100, 100)));
+    Image_function_options options;
+    options.degree = degree;
+    options.sigma = 1.2;
+    const Image_function f(image, options);
+    for (int n = 0; n < 1000; ++n) {
+      // Beyond the image, too; from boxes of many voxels to small parts of one.
+      const Point p = image.lattice.node(random.uniform(-2, 11), random.uniform(-2, 12), random.uniform(-2, 13));
+      const double size = std::pow(10, random.uniform(-3, 1));
+      const Box_3 box{p, {p[0] + size, p[1] + size * random.uniform(0.1, 1), p[2] + size * random.uniform(0.1, 1)}};
+      Derivative_bounds d;
+      ASSERT_TRUE(f.bounds(box, 1, d));
+      for (int k = 0; k < 20; ++k) {
+        Derivatives at;
+        f.derivatives(random.point(box), 1, at);
+        ASSERT_TRUE(d.value.contains(at.value));
+        for (std::size_t a = 0; a < 3; ++a)
+          ASSERT_TRUE(d.gradient[a].contains(at.gradient[a]));
+      }
+    }
+  }
+}
+
+TEST(Bounds, of_images_are_tight_within_a_voxel) {
+  // Voxels of x² + y: the spline is it (up to a constant and to the border), as smoothing leaves the second derivative.
+  Image image;
+  image.lattice.size = {20, 20, 20};
+  for (std::size_t i = 0; i < 8000; ++i)
+    image.voxels.push_back(float(double(i % 20) * double(i % 20) + double(i / 20 % 20)));
+  Image_function_options options;
+  options.iso = 50;
+  options.sigma = 1;
+  const Image_function f(image, options);
+  Derivative_bounds d;
+  ASSERT_TRUE(f.bounds({{9, 9, 9}, {10, 10, 10}}, 1, d));
+  EXPECT_NEAR(d.gradient[0].low, -20, 0.1);
+  EXPECT_NEAR(d.gradient[0].high, -18, 0.1);
+  EXPECT_NEAR(d.gradient[1].low, -1, 0.05);
+  EXPECT_NEAR(d.gradient[1].high, -1, 0.05);
+  EXPECT_NEAR(d.value.width(), 20, 0.5); // 10² − 9² in x, 1 in y
 }
 
 TEST(Bounds, of_a_functor_are_not_known) {
