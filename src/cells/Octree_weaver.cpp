@@ -23,15 +23,6 @@ std::array<double, 3> in_steps(const Grid_point& p) {
 
 } // namespace
 
-void Octree_weaver::clear() {
-  new_cut_edges.clear();
-  polygon_cubes.clear();
-  polygon_begin.assign(1, 0);
-  corners.clear();
-  ambiguous_cubes.clear();
-  points_.clear();
-}
-
 double Octree_weaver::value(const Grid_point& node) {
   const auto [it, fresh] = values_.try_emplace(node, 0);
   if (fresh) {

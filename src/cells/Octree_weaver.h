@@ -22,8 +22,6 @@ public:
   Octree_weaver(const Function_3& f, const Lattice& lattice, const Octree& tree)
       : f_(f), lattice_(lattice), tree_(tree) {}
 
-  /// forgets all but the values at nodes.
-  void clear();
   /// gives the value at a node of the lattice, where it is known.
   void set_value(const Grid_point& node, double value) { values_[node] = value; }
   /// gives the number of the surface point on an edge of the lattice.

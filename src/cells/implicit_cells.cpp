@@ -226,7 +226,7 @@ Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, co
     hidden.end_slices();
     hidden.divide(f, woven.cubes, pool, tree);
   }
-  const std::vector<Grid_cube> folded = refine_folds(f, lattice, woven, pool, tree);
+  const std::vector<Grid_cube> folded = refine_folds(f, lattice, woven, pool, tree, proves);
   if (found.certainty == Surface_certainty::tested && !folded.empty()) {
     constexpr double unit(Octree::unit);
     const Grid_point& at = folded.front().base;

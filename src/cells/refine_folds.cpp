@@ -26,8 +26,9 @@ constexpr std::size_t most_folded = std::size_t(1) << 14;
 
 class Folds {
 public:
-  Folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool, Octree& tree)
-      : f_(f), lattice_(lattice), coarse_(cells), pool_(pool), tree_(tree) {}
+  Folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool, Octree& tree,
+        bool keeps_balance)
+      : f_(f), lattice_(lattice), coarse_(cells), pool_(pool), tree_(tree), keeps_balance_(keeps_balance) {}
 
   /// \return the cubes in which folds are left
   std::vector<Grid_cube> refine() {
@@ -38,8 +39,16 @@ public:
       add_normals();
     }
     std::vector<Grid_cube> folded = folded_cubes();
-    for (int round = 0; round < Octree::levels && folded.size() <= most_folded + coarse_.cubes.size(); ++round) {
-      if (!divide(folded, round == 0))
+    // Ambiguous cubes are divided along with the folds, and on after them.
+    for (int round = 0; round < 2 * Octree::levels && folded.size() <= most_folded + coarse_.cubes.size(); ++round) {
+      const std::size_t before = tree_.divided_cubes().size();
+      if (round < Octree::levels)
+        divide(folded, round == 0);
+      for (const Grid_cube& c : ambiguous_)
+        tree_.divide(c);
+      if (keeps_balance_)
+        tree_.balance();
+      if (tree_.divided_cubes().size() == before)
         break;
       weave();
       add_normals();
@@ -102,9 +111,7 @@ private:
   }
 
   /// divides cubes, at first twice, and those that share a face with them.
-  /// \return whether anything changed
-  bool divide(const std::vector<Grid_cube>& cubes, bool twice) {
-    const std::size_t before = tree_.divided_cubes().size();
+  void divide(const std::vector<Grid_cube>& cubes, bool twice) {
     for (const Grid_cube& c : cubes) {
       if (c.level == Octree::levels)
         continue;
@@ -118,7 +125,6 @@ private:
         for (unsigned k = 0; k < 8; ++k)
           tree_.divide(Octree::child(c, k));
     }
-    return tree_.divided_cubes().size() != before;
   }
 
   /// the cubes of the lattice that are divided or touch a divided one.
@@ -131,22 +137,14 @@ private:
     return result;
   }
 
-  /// weaves the cells by the tree, which is divided further where that is ambiguous.
   void weave() {
+    const std::set<Grid_cube> cubes = cubes_to_weave();
     Octree_weaver weaver(f_, lattice_, tree_);
-    std::set<Grid_cube> cubes;
-    do {
-      for (const Grid_cube& c : weaver.ambiguous_cubes)
-        tree_.divide(c);
-      if (!weaver.ambiguous_cubes.empty())
-        tree_.balance();
-      weaver.clear();
-      cubes = cubes_to_weave();
-      give_values(cubes, weaver);
-      give_points(cubes, weaver);
-      for (const Grid_cube& c : cubes)
-        weaver.weave(c);
-    } while (!weaver.ambiguous_cubes.empty());
+    give_values(cubes, weaver);
+    give_points(cubes, weaver);
+    for (const Grid_cube& c : cubes)
+      weaver.weave(c);
+    ambiguous_ = std::move(weaver.ambiguous_cubes);
     take(cubes, weaver);
   }
 
@@ -238,6 +236,8 @@ private:
   Woven_cells& coarse_;
   Thread_pool& pool_;
   Octree& tree_;
+  bool keeps_balance_;
+  std::vector<Grid_cube> ambiguous_; ///< of the last weaving
   Woven_cells current_;
   std::vector<Vector> normals_; ///< of the points of current_
 };
@@ -245,8 +245,8 @@ private:
 } // namespace
 
 std::vector<Grid_cube> refine_folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool,
-                                    Octree& tree) {
-  return Folds(f, lattice, cells, pool, tree).refine();
+                                    Octree& tree, bool keeps_balance) {
+  return Folds(f, lattice, cells, pool, tree, keeps_balance).refine();
 }
 
 } // namespace CGAL::Extremal_mesh_3
