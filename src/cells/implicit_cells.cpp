@@ -226,12 +226,15 @@ Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, co
     hidden.end_slices();
     hidden.divide(f, woven.cubes, pool, tree);
   }
-  const std::vector<Grid_cube> folded = refine_folds(f, lattice, woven, pool, tree, proves);
-  if (found.certainty == Surface_certainty::tested && !folded.empty()) {
+  const Unsettled_cubes unsettled = refine_folds(f, lattice, woven, pool, tree, proves);
+  // Folds do not belie a proof, other ways to weave do.
+  const std::vector<Grid_cube>& doubtful = proves ? unsettled.ambiguous : unsettled.folded;
+  if (!doubtful.empty()) {
     constexpr double unit(Octree::unit);
-    const Grid_point& at = folded.front().base;
-    found.undecided_cubes = folded.size();
-    found.first_undecided = lattice.node(double(at[0]) / unit, double(at[1]) / unit, double(at[2]) / unit);
+    const Grid_point& at = doubtful.front().base;
+    if (found.undecided_cubes == 0)
+      found.first_undecided = lattice.node(double(at[0]) / unit, double(at[1]) / unit, double(at[2]) / unit);
+    found.undecided_cubes += doubtful.size();
   }
   for (const Grid_cube& cube : tree.divided_cubes())
     found.divided_cubes += cube.level == 0;

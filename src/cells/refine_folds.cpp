@@ -30,8 +30,7 @@ public:
         bool keeps_balance)
       : f_(f), lattice_(lattice), coarse_(cells), pool_(pool), tree_(tree), keeps_balance_(keeps_balance) {}
 
-  /// \return the cubes in which folds are left
-  std::vector<Grid_cube> refine() {
+  Unsettled_cubes refine() {
     current_ = coarse_;
     add_normals();
     if (!tree_.divided_cubes().empty()) {
@@ -58,7 +57,7 @@ public:
       drop_unused_points();
       coarse_ = std::move(current_);
     }
-    return folded;
+    return {std::move(folded), std::move(ambiguous_)};
   }
 
 private:
@@ -244,8 +243,8 @@ private:
 
 } // namespace
 
-std::vector<Grid_cube> refine_folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool,
-                                    Octree& tree, bool keeps_balance) {
+Unsettled_cubes refine_folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool,
+                             Octree& tree, bool keeps_balance) {
   return Folds(f, lattice, cells, pool, tree, keeps_balance).refine();
 }
 
