@@ -86,6 +86,18 @@ public:
     }
     return cubes;
   }
+  /// divides larger cubes beside smaller ones, until the levels of neighbours differ by one at most.
+  void balance() {
+    for (int level = levels - 1; level > 0; --level) {
+      std::vector<Grid_cube> cubes;
+      for (const Grid_cube& c : divided_)
+        if (c.level == level)
+          cubes.push_back(c);
+      for (const Grid_cube& c : cubes)
+        for (const Grid_cube& n : around(c))
+          divide(ancestor(n, level - 1));
+    }
+  }
   const std::unordered_set<Grid_cube, Grid_hash>& divided_cubes() const { return divided_; }
 
 private:

@@ -98,6 +98,7 @@ void Octree_weaver::join(const Face& face, std::map<std::uint32_t, std::uint32_t
   const std::size_t n = cuts.size();
   const bool one_each = n == 4 && after_1 == 1 && after_2 == 2 && after_3 == 3;
   const bool joined = one_each && ambiguous_face_joined(face);
+  ambiguous_side_ = ambiguous_side_ || (n >= 4 && !one_each);
   // A + run ends where the border leaves +. Its segment leads back to where the run began or, if the + runs are joined
   // through the middle of the face, on to where the next one begins. Cuts alternate.
   for (std::size_t i = 0; i < n; ++i)
@@ -118,10 +119,12 @@ bool Octree_weaver::plainly_empty(const Grid_cube& cube) {
       return true;
     positive += v >= 0;
   }
-  if (positive != 0 && positive != 8)
-    return false;
+  return (positive == 0 || positive == 8) && !beside_finer(cube);
+}
+
+bool Octree_weaver::beside_finer(const Grid_cube& cube) const {
   const auto around = tree_.around(cube);
-  return std::none_of(around.begin(), around.end(), [&](const Grid_cube& c) { return tree_.divided(c); });
+  return std::any_of(around.begin(), around.end(), [&](const Grid_cube& c) { return tree_.divided(c); });
 }
 
 void Octree_weaver::weave(const Grid_cube& cube) {
@@ -134,12 +137,14 @@ void Octree_weaver::weave(const Grid_cube& cube) {
     return;
   const std::int64_t s = Octree::side(cube.level);
   std::map<std::uint32_t, std::uint32_t> next;
+  std::size_t loops = 0;
+  ambiguous_side_ = false;
   for (std::size_t a = 0; a < 3; ++a) {
     const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
     join({moved(cube.base, a, s), b, c, cube.level}, next); // seen from the side of greater coordinates
     join({cube.base, c, b, cube.level}, next);
   }
-  while (!next.empty()) {
+  for (; !next.empty(); ++loops) {
     const std::size_t first = corners.size();
     for (auto it = next.begin(); it != next.end();) {
       corners.push_back(it->first);
@@ -158,6 +163,8 @@ void Octree_weaver::weave(const Grid_cube& cube) {
     polygon_begin.push_back(corners.size());
     polygon_cubes.push_back(cube);
   }
+  if ((ambiguous_side_ || loops > 1) && beside_finer(cube))
+    ambiguous_cubes.push_back(cube);
 }
 
 } // namespace CGAL::Extremal_mesh_3

@@ -36,6 +36,9 @@ public:
   std::vector<Grid_cube> polygon_cubes; ///< the undivided cube in which each polygon lies
   std::vector<std::size_t> polygon_begin{0};
   std::vector<std::uint32_t> corners;
+  /// Cubes beside finer ones whose polygons could be woven in several ways: a node of the finer ones, in the middle of a side, tells
+  /// of more than the corners. Divided, they are not ambiguous.
+  std::vector<Grid_cube> ambiguous_cubes;
 
 private:
   struct Edge {
@@ -63,6 +66,7 @@ private:
 
   double value(const Grid_point& node);
   bool plainly_empty(const Grid_cube& cube);
+  bool beside_finer(const Grid_cube& cube) const;
   bool edge_divided(const Edge& edge) const;
   void cut(const Edge& edge, bool forward, std::vector<Cut>& cuts);
   void join(const Face& face, std::map<std::uint32_t, std::uint32_t>& next);
@@ -74,6 +78,7 @@ private:
   std::unordered_map<Grid_point, double, Grid_hash> values_;
   std::unordered_map<Edge, std::uint32_t, Edge_hash> points_;
   std::uint32_t next_point_ = 0;
+  bool ambiguous_side_ = false; ///< met in the cube at hand
 };
 
 } // namespace CGAL::Extremal_mesh_3

@@ -5,8 +5,10 @@
 // tables. In each face of a cube the cut edges are joined by segments with the + side on their left (seen from outside
 // the cube); the segments of the six faces close up to polygons. A face is decided by itself, so both its cubes see the
 // same segments.
+#include "Hidden_parts.h"
 #include "cube.h"
 #include "parallel.h"
+#include "prove_surface.h"
 #include "refine_folds.h"
 
 #include <CGAL/Extremal_mesh_3/extract_extremal_mesh.h>
@@ -170,9 +172,22 @@ private:
   std::vector<std::uint32_t> z_;
 };
 
+/// Room for what is small or thin without end where there is nothing to find, as around poles: some seconds of work.
+constexpr std::size_t most_divided = std::size_t(1) << 14;
+
+std::string no_surface_text(const Surface_report& report) {
+  std::string text = "the function has no zero surface in the box";
+  if (report.undecided_cubes != 0) {
+    const Point& p = report.first_undecided;
+    text += fmt::format(", or only where this cannot be decided, as around ({}, {}, {})", p[0], p[1], p[2]);
+  }
+  return text;
+}
+
 } // namespace
 
-Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, const Extraction_options& options) {
+Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, const Extraction_options& options,
+                                 Surface_report* report) {
   for (const std::size_t n : lattice.size)
     if (n < 2)
       throw std::invalid_argument("a lattice must have at least 2 nodes along each axis");
@@ -182,11 +197,16 @@ Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, co
   const std::size_t nodes = lattice.size[0] * lattice.size[1], slices = lattice.size[2];
   const std::size_t block = std::clamp<std::size_t>((std::size_t(1) << 21) / nodes, 2, 16);
   std::vector<double> values((block + 1) * nodes); // slice 0 is the last one of the block before
+  const bool proves =
+      f.bounds_cost() == Bounds_cost::low || (f.bounds_cost() != Bounds_cost::unknown && options.prove_surface);
   Slab_walker walker(f, lattice);
+  Hidden_parts hidden(lattice);
   for (std::size_t first = 0; first < slices; first += block) {
     const std::size_t count = std::min(block, slices - first);
     pool.for_each(count, 1,
                   [&](std::size_t s) { f.lattice_values(lattice, first + s, values.data() + (s + 1) * nodes); });
+    for (std::size_t s = 0; !proves && s < count; ++s)
+      hidden.add_slice(values.data() + (s + 1) * nodes);
     for (std::size_t s = first == 0 ? 1 : 0; s < count; ++s)
       walker.walk(first + s - 1, values.data() + s * nodes, values.data() + (s + 1) * nodes);
     std::copy_n(values.begin() + std::ptrdiff_t(count * nodes), nodes, values.begin());
@@ -194,13 +214,34 @@ Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, co
       throw Cancelled();
   }
   Woven_cells& woven = walker.woven;
-  if (woven.cubes.empty())
-    throw Extraction_error("the function has no zero surface in the box");
-
   woven.points.resize(woven.cuts.size());
   pool.for_each(woven.points.size(), 256,
                 [&](std::size_t p) { woven.points[p] = surface_point(f, lattice, woven.cuts[p]); });
-  refine_folds(f, lattice, woven, pool);
+  Surface_report found;
+  Octree tree(lattice.size);
+  found.certainty = proves ? Surface_certainty::proved : Surface_certainty::tested;
+  if (proves)
+    prove_surface(f, lattice, most_divided + woven.cubes.size(), pool, tree, found);
+  else {
+    hidden.end_slices();
+    hidden.divide(f, woven.cubes, pool, tree);
+  }
+  const Unsettled_cubes unsettled = refine_folds(f, lattice, woven, pool, tree, proves);
+  // Folds do not belie a proof, other ways to weave do.
+  const std::vector<Grid_cube>& doubtful = proves ? unsettled.ambiguous : unsettled.folded;
+  if (!doubtful.empty()) {
+    constexpr double unit(Octree::unit);
+    const Grid_point& at = doubtful.front().base;
+    if (found.undecided_cubes == 0)
+      found.first_undecided = lattice.node(double(at[0]) / unit, double(at[1]) / unit, double(at[2]) / unit);
+    found.undecided_cubes += doubtful.size();
+  }
+  for (const Grid_cube& cube : tree.divided_cubes())
+    found.divided_cubes += cube.level == 0;
+  if (report)
+    *report = found;
+  if (woven.cubes.empty())
+    throw Extraction_error(no_surface_text(found));
   return make_cell_complex(std::move(woven.points), woven.polygon_begin, woven.corners);
 }
 

@@ -21,26 +21,43 @@ constexpr double least_normal_cosine = 0.26;
 constexpr double least_facing_cosine = 0.26;
 /// … and only if they differ by more than this (cos 45°) is its middle looked at.
 constexpr double plain_normal_cosine = 0.7;
+/// More folds than this and one per cell are no surface that could be followed, but something like a pole.
+constexpr std::size_t most_folded = std::size_t(1) << 14;
 
 class Folds {
 public:
-  Folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool)
-      : f_(f), lattice_(lattice), coarse_(cells), pool_(pool), tree_(lattice.size) {}
+  Folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool, Octree& tree,
+        bool keeps_balance)
+      : f_(f), lattice_(lattice), coarse_(cells), pool_(pool), tree_(tree), keeps_balance_(keeps_balance) {}
 
-  void refine() {
+  Unsettled_cubes refine() {
     current_ = coarse_;
     add_normals();
-    for (int round = 0; round < Octree::levels; ++round) {
-      const std::vector<Grid_cube> folded = folded_cubes();
-      if (folded.empty() || !divide(folded, round == 0))
-        break;
+    if (!tree_.divided_cubes().empty()) {
       weave();
       add_normals();
     }
-    if (tree_.divided_cubes().empty())
-      return;
-    drop_unused_points();
-    coarse_ = std::move(current_);
+    std::vector<Grid_cube> folded = folded_cubes();
+    // Ambiguous cubes are divided along with the folds, and on after them.
+    for (int round = 0; round < 2 * Octree::levels && folded.size() <= most_folded + coarse_.cubes.size(); ++round) {
+      const std::size_t before = tree_.divided_cubes().size();
+      if (round < Octree::levels)
+        divide(folded, round == 0);
+      for (const Grid_cube& c : ambiguous_)
+        tree_.divide(c);
+      if (keeps_balance_)
+        tree_.balance();
+      if (tree_.divided_cubes().size() == before)
+        break;
+      weave();
+      add_normals();
+      folded = folded_cubes();
+    }
+    if (!tree_.divided_cubes().empty()) {
+      drop_unused_points();
+      coarse_ = std::move(current_);
+    }
+    return {std::move(folded), std::move(ambiguous_)};
   }
 
 private:
@@ -87,16 +104,16 @@ private:
     pool_.for_each(folded.size(), 128, [&](std::size_t i) { folded[i] = is_folded(i); });
     std::vector<Grid_cube> cubes;
     for (std::size_t i = 0; i < folded.size(); ++i)
-      if (folded[i] && current_.cubes[i].level < Octree::levels)
+      if (folded[i])
         cubes.push_back(current_.cubes[i]);
     return cubes;
   }
 
   /// divides cubes, at first twice, and those that share a face with them.
-  /// \return whether anything changed
-  bool divide(const std::vector<Grid_cube>& cubes, bool twice) {
-    const std::size_t before = tree_.divided_cubes().size();
+  void divide(const std::vector<Grid_cube>& cubes, bool twice) {
     for (const Grid_cube& c : cubes) {
+      if (c.level == Octree::levels)
+        continue;
       for (std::size_t a = 0; a < 3; ++a)
         for (const std::int64_t by : {-Octree::side(c.level), std::int64_t(0), Octree::side(c.level)}) {
           Grid_cube n = c;
@@ -107,7 +124,6 @@ private:
         for (unsigned k = 0; k < 8; ++k)
           tree_.divide(Octree::child(c, k));
     }
-    return tree_.divided_cubes().size() != before;
   }
 
   /// the cubes of the lattice that are divided or touch a divided one.
@@ -124,18 +140,15 @@ private:
     const std::set<Grid_cube> cubes = cubes_to_weave();
     Octree_weaver weaver(f_, lattice_, tree_);
     give_values(cubes, weaver);
-    for (std::uint32_t p = 0; p < coarse_.cuts.size(); ++p) {
-      const Cut_edge& cut = coarse_.cuts[p];
-      Grid_point base;
-      for (std::size_t a = 0; a < 3; ++a)
-        base[a] = std::int64_t(cut.node[a]) * Octree::unit;
-      if (cubes.count({base, 0}) || touches(cubes, base, cut.axis))
-        weaver.set_point(base, cut.axis, p);
-    }
-    weaver.set_first_new_point(std::uint32_t(coarse_.points.size()));
+    give_points(cubes, weaver);
     for (const Grid_cube& c : cubes)
       weaver.weave(c);
+    ambiguous_ = std::move(weaver.ambiguous_cubes);
+    take(cubes, weaver);
+  }
 
+  /// puts together the coarse cells outside of the woven cubes and those that the weaver made.
+  void take(const std::set<Grid_cube>& cubes, const Octree_weaver& weaver) {
     current_ = {};
     current_.points = coarse_.points;
     normals_.resize(coarse_.points.size());
@@ -169,6 +182,18 @@ private:
         return true;
     }
     return false;
+  }
+
+  void give_points(const std::set<Grid_cube>& cubes, Octree_weaver& weaver) const {
+    for (std::uint32_t p = 0; p < coarse_.cuts.size(); ++p) {
+      const Cut_edge& cut = coarse_.cuts[p];
+      Grid_point base;
+      for (std::size_t a = 0; a < 3; ++a)
+        base[a] = std::int64_t(cut.node[a]) * Octree::unit;
+      if (cubes.count({base, 0}) || touches(cubes, base, cut.axis))
+        weaver.set_point(base, cut.axis, p);
+    }
+    weaver.set_first_new_point(std::uint32_t(coarse_.points.size()));
   }
 
   /// At the nodes of the lattice the weaver must see the values that the lattice was woven with.
@@ -209,15 +234,18 @@ private:
   const Lattice& lattice_;
   Woven_cells& coarse_;
   Thread_pool& pool_;
-  Octree tree_;
+  Octree& tree_;
+  bool keeps_balance_;
+  std::vector<Grid_cube> ambiguous_; ///< of the last weaving
   Woven_cells current_;
   std::vector<Vector> normals_; ///< of the points of current_
 };
 
 } // namespace
 
-void refine_folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool) {
-  Folds(f, lattice, cells, pool).refine();
+Unsettled_cubes refine_folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool,
+                             Octree& tree, bool keeps_balance) {
+  return Folds(f, lattice, cells, pool, tree, keeps_balance).refine();
 }
 
 } // namespace CGAL::Extremal_mesh_3

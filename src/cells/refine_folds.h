@@ -20,10 +20,19 @@ struct Woven_cells {
   std::vector<Grid_cube> cubes; ///< of each polygon
 };
 
+/// Cubes that are as they should not be, at the finest level or because there are too many of them.
+struct Unsettled_cubes {
+  std::vector<Grid_cube> folded;    ///< in which the lattice is still too coarse for the surface
+  std::vector<Grid_cube> ambiguous; ///< whose polygons could be woven in several ways
+};
+
 /// weaves the polygons anew, in smaller cubes, where the lattice is too coarse for the surface: where the normals
 /// around a polygon differ by a right angle or so, the polygon faces elsewhere than the surface does, or the surface
 /// does not pass by its middle. There the lattice may have joined or cut what the surface has not.
-void refine_folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool);
+/// \param tree  the cubes that are to be divided in any case; those that are divided for folds are added
+/// \param keeps_balance  the tree is balanced and stays so
+Unsettled_cubes refine_folds(const Function_3& f, const Lattice& lattice, Woven_cells& cells, Thread_pool& pool,
+                             Octree& tree, bool keeps_balance);
 
 } // namespace CGAL::Extremal_mesh_3
 

@@ -236,7 +236,10 @@ Extraction extract_extremal_mesh(const Cell_complex& cells, const Vertex_shapes&
 }
 
 Extraction extract_extremal_mesh(const Function_3& f, const Lattice& lattice, const Extraction_options& options) {
-  return extract_extremal_mesh(f, make_implicit_cells(f, lattice, options), options);
+  Surface_report surface;
+  Extraction result = extract_extremal_mesh(f, make_implicit_cells(f, lattice, options, &surface), options);
+  result.report.surface = surface;
+  return result;
 }
 
 } // namespace CGAL::Extremal_mesh_3

@@ -5,10 +5,12 @@
 
 #include <CGAL/Extremal_mesh_3/Formula.h>
 
+#include "Bounds_evaluation.h"
 #include "Formula_parser.h"
 #include "Jet_evaluation.h"
 
 #include <CGAL/Extremal_mesh_3/internal/Taylor_indices.h>
+#include <CGAL/Extremal_mesh_3/internal/interval_arithmetic.h>
 
 #include <algorithm>
 #include <array>
@@ -118,6 +120,23 @@ void Formula::lattice_values(const Lattice& lattice, std::size_t k, double* out)
     }
   if (lane > 0)
     flush(lane);
+}
+
+bool Formula::bounds(const Box_3& box, int order, Derivative_bounds& d) const {
+  if (order < 0 || order > 4)
+    throw std::invalid_argument(fmt::format("Formula: the order of bounds is {}, not 0 to 4", order));
+  const Jet_program& program = implementation_->programs[static_cast<std::size_t>(order)];
+  thread_local std::vector<Interval> memory;
+  if (memory.size() < program.scratch_size)
+    memory.resize(program.scratch_size);
+  const int known_order = evaluate_bounds(program, box, memory.data());
+  const auto coefficient = [&](std::size_t k) {
+    if (internal::taylor_tables.degree[k] > known_order)
+      return internal::all_numbers;
+    return (program.result_support >> k & 1u) != 0 ? memory[program.result + k] : Interval{};
+  };
+  internal::taylor_to_derivatives(coefficient, program.order, d);
+  return true;
 }
 
 } // namespace CGAL::Extremal_mesh_3

@@ -10,4 +10,8 @@ void Function_3::lattice_values(const Lattice& lattice, std::size_t k, double* o
       *out++ = value(lattice.node(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)));
 }
 
+bool Function_3::bounds(const Box_3&, int, Derivative_bounds&) const {
+  return false;
+}
+
 } // namespace CGAL::Extremal_mesh_3

@@ -7,6 +7,9 @@
 #include "node_values.h"
 #include "smoothing.h"
 #include "spline.h"
+#include "spline_bounds.h"
+
+#include <CGAL/Extremal_mesh_3/internal/interval_arithmetic.h>
 
 #include <fmt/format.h>
 
@@ -218,6 +221,34 @@ void Image_function::lattice_values(const Lattice& lattice, std::size_t k, doubl
     node_values<5>(self.volume, k, self.iso, out);
   else
     node_values<7>(self.volume, k, self.iso, out);
+}
+
+bool Image_function::bounds(const Box_3& box, int order, Derivative_bounds& d) const {
+  const Implementation& self = *implementation_;
+  Box_3 on_lattice;
+  for (std::size_t a = 0; a < 3; ++a) {
+    Interval u;
+    for (std::size_t b = 0; b < 3; ++b)
+      u = u + self.to_lattice[a][b] * (Interval{box.low[b], box.high[b]} - self.lattice.origin[b]);
+    on_lattice.low[a] = u.low;
+    on_lattice.high[a] = u.high;
+  }
+  const Spline_bounds spline = bound_spline(self.volume, self.degree, on_lattice);
+  d.value = self.iso - spline.value;
+  if (order >= 1)
+    for (std::size_t b = 0; b < 3; ++b) {
+      Interval sum;
+      for (std::size_t a = 0; a < 3; ++a)
+        sum = sum - self.to_lattice[a][b] * spline.gradient[a];
+      d.gradient[b] = sum;
+    }
+  if (order >= 2)
+    d.hessian.fill(internal::all_numbers);
+  if (order >= 3)
+    d.third.fill(internal::all_numbers);
+  if (order >= 4)
+    d.fourth.fill(internal::all_numbers);
+  return true;
 }
 
 const Lattice& Image_function::lattice() const {

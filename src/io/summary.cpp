@@ -17,8 +17,29 @@ template <typename Enum, std::size_t n> Json by_name(const std::array<std::size_
   return object;
 }
 
+std::string_view to_string(Surface_certainty certainty) {
+  switch (certainty) {
+  case Surface_certainty::tested:
+    return "tested";
+  case Surface_certainty::proved:
+    return "proved";
+  default:
+    return "given";
+  }
+}
+
+Json json_of(const Surface_report& report) {
+  Json json = {{"certainty", to_string(report.certainty)},
+               {"divided_cubes", report.divided_cubes},
+               {"undecided_cubes", report.undecided_cubes}};
+  if (report.undecided_cubes != 0)
+    json["first_undecided"] = report.first_undecided;
+  return json;
+}
+
 Json json_of(const Extraction_report& report) {
-  return {{"surface_points", report.surface_points},     {"surface_cells", report.surface_cells},
+  return {{"surface", json_of(report.surface)},
+          {"surface_points", report.surface_points},     {"surface_cells", report.surface_cells},
           {"refined_cells", report.refined_cells},       {"accepted_cells", report.accepted_cells},
           {"uncertain_cells", report.uncertain_cells},   {"interpolated_points", report.interpolated_points},
           {"degenerate_cells", report.degenerate_cells}, {"rounds", report.rounds}};

@@ -17,9 +17,10 @@ namespace CGAL::Extremal_mesh_3::tool {
 namespace {
 
 /// cells of the surface f = 0.
-Cell_complex cells_of(const Input& input, const Extraction_options& options) {
+/// \param report  is filled with what is known about the surface
+Cell_complex cells_of(const Input& input, const Extraction_options& options, Surface_report& report) {
   if (!input.use_cgal_mesher)
-    return make_implicit_cells(*input.function, input.lattice, options);
+    return make_implicit_cells(*input.function, input.lattice, options, &report);
   Cgal_mesh_options mesh_options;
   mesh_options.threads = options.threads;
   mesh_options.progress = options.progress;
@@ -28,14 +29,16 @@ Cell_complex cells_of(const Input& input, const Extraction_options& options) {
 
 /// the cells of the surface f = 0, then its extremal mesh.
 void extract_from_function(const Input& input, Extraction_options options, bool quiet, Result& result) {
+  Surface_report report;
   {
     Progress_bar bar("surface", quiet);
     options.progress = bar.progress();
-    result.surface = cells_of(input, options);
+    result.surface = cells_of(input, options, report);
   }
   Progress_bar bar("lines", quiet);
   options.progress = bar.progress();
   result.extraction = extract_extremal_mesh(*input.function, result.surface, options);
+  result.extraction.report.surface = report;
 }
 
 /// the shapes at the vertices of a mesh, then its extremal mesh.

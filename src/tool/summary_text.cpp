@@ -76,6 +76,19 @@ std::string fit_text(const Fit_report& r) {
   return line("fitted", r.fitted, text);
 }
 
+/// what is known about the topology of the surface: nothing if its cells were given.
+std::string certainty_text(const Surface_report& report) {
+  if (report.certainty == Surface_certainty::given)
+    return {};
+  std::string text = report.certainty == Surface_certainty::proved ? "proved" : "tested, not proved";
+  if (report.undecided_cubes != 0) {
+    const Point& p = report.first_undecided;
+    text += fmt::format(" but for {} undecided cube{}, one at ({:.6g}, {:.6g}, {:.6g})", report.undecided_cubes,
+                        report.undecided_cubes == 1 ? "" : "s", p[0], p[1], p[2]);
+  }
+  return fmt::format("{:<10} {}\n", "topology", text);
+}
+
 std::string surface_text(const Surface_info& surface) {
   std::string text = fmt::format("{} surface, {} component{}, Euler characteristic {}, area {:.6g}",
                                  surface.closed ? "closed" : "bordered", surface.components,
@@ -103,7 +116,8 @@ std::string summary_text(const Extremal_mesh& mesh, const std::vector<Check>& ch
   text += line("cells", mesh.number_of_cells(), cell_counts(summary));
   text += fmt::format("{:<10} {}\n", "on a", surface_text(mesh.surface()));
   if (report)
-    text += line("uncertain", report->uncertain_cells, fmt::format("of {} surface cells", report->refined_cells));
+    text += certainty_text(report->surface) +
+            line("uncertain", report->uncertain_cells, fmt::format("of {} surface cells", report->refined_cells));
 
   std::string violated;
   std::size_t applicable = 0;

@@ -62,6 +62,12 @@ public:
 
   void lattice_values(const Lattice& lattice, std::size_t k, double* out) const override;
 
+  Bounds_cost bounds_cost() const override { return Bounds_cost::low; }
+  /// bounds by interval arithmetic, valid for real numbers: of the formula with its constants as they are rounded,
+  /// and not of what rounding makes of it at a point.
+  /// \throws std::invalid_argument if `order` is not 0 to 4
+  bool bounds(const Box_3& box, int order, Derivative_bounds& d) const override;
+
 private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;

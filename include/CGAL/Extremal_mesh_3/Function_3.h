@@ -3,6 +3,7 @@
 #ifndef CGAL_EXTREMAL_MESH_3_FUNCTION_3_H
 #define CGAL_EXTREMAL_MESH_3_FUNCTION_3_H
 
+#include <CGAL/Extremal_mesh_3/Derivative_bounds.h>
 #include <CGAL/Extremal_mesh_3/Derivatives.h>
 #include <CGAL/Extremal_mesh_3/Lattice.h>
 
@@ -34,6 +35,17 @@ public:
   /// \param out  `size[0]·size[1]` values, i fastest. The default calls `value()`; models that can do better override it.
   ///             A value may differ from `value()` by rounding.
   virtual void lattice_values(const Lattice& lattice, std::size_t k, double* out) const;
+
+  /// tells whether `bounds()` can be had, and at what price.
+  virtual Bounds_cost bounds_cost() const { return Bounds_cost::unknown; }
+
+  /// bounds the value and the derivatives up to `order` over a box: the ground for proofs about the surface. Bounds
+  /// need not be tight, but get so as the box gets small. At a kink, such as that of `abs`, the bounds of the first derivatives
+  /// hold those of all branches.
+  /// \param order  0 to 4
+  /// \return whether they are known. They are unless `bounds_cost()` is `unknown`; those that are not known in this box
+  ///         are infinite.
+  virtual bool bounds(const Box_3& box, int order, Derivative_bounds& d) const;
 
 protected:
   Function_3() = default;

@@ -51,6 +51,11 @@ public:
   /// On `lattice()` this takes a few ns per node.
   void lattice_values(const Lattice& lattice, std::size_t k, double* out) const override;
 
+  Bounds_cost bounds_cost() const override { return Bounds_cost::high; }
+  /// bounds of the spline's value and gradient; derivatives above are not known. Tight within a cell of the lattice, for
+  /// thousands of products; loose over many cells. On a lattice with skew or turned axes the box's own box on the lattice is taken.
+  bool bounds(const Box_3& box, int order, Derivative_bounds& d) const override;
+
   /// the image's own lattice, the natural one for `make_implicit_cells()`; on an axis with σ below 0.9 voxels with
   /// nodes half way between the voxels, too.
   const Lattice& lattice() const;

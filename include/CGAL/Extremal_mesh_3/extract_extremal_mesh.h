@@ -24,12 +24,35 @@ struct Extraction_options {
   /// With less than `max_level` small closed lines may be missed and lines that nearly touch be joined otherwise, but
   /// no extremal point or umbilic; on noisy images most of the time is saved
   int max_line_level = 20;
+  /// prove the shape of the surface although bounds of the function take long: with images. Where they do not, with
+  /// formulas, it is always proved
+  bool prove_surface = false;
   bool patches = false; ///< also return the surface cut along the lines
   Progress progress;
 };
 
+/// How it is known that cells on a lattice have the topology of the surface.
+enum class Surface_certainty : std::uint8_t {
+  given,  ///< nothing is known: the cells come from elsewhere
+  tested, ///< by signs and normals at points: parts that are small against a cube can be missed or joined
+  proved  ///< by bounds of the function over all cubes, but for those that are undecided
+};
+
+/// What was found out about the surface in the cubes of a lattice.
+struct Surface_report {
+  Surface_certainty certainty = Surface_certainty::given;
+  /// cubes of the lattice that are divided, because the surface is too fine there for signs at their corners or for
+  /// polygons in them; those beside them are, too
+  std::size_t divided_cubes = 0;
+  /// cubes, most of them parts of cubes of the lattice, in which the proof, or the test, failed to the end: parts of the
+  /// surface may be missed or joined there, or the surface touches itself
+  std::size_t undecided_cubes = 0;
+  Point first_undecided{}; ///< in one of them
+};
+
 /// What was met on the way.
 struct Extraction_report {
+  Surface_report surface;             ///< what is known about the initial cells
   std::size_t surface_points = 0;     ///< vertices of the initial cells
   std::size_t surface_cells = 0;      ///< initial cells
   std::size_t refined_cells = 0;      ///< cells after subdivision
@@ -59,9 +82,17 @@ struct Extraction {
 
 /// makes polygonal cells of the surface `f = 0` on a lattice: in each cube one or more polygons of any number of sides, whose
 /// vertices lie on the surface. Their normals point to where `f` is positive. sign(0) is taken as +.
+///
+/// Cubes that are too coarse for the surface are divided, up to 6 times, into cubes of half the side. Where `f` can be bounded
+/// (`Function_3::bounds()`), they are those in which it is not proved that the cells are isotopic to the surface. This proof supposes
+/// that `f` is smooth there, and that its signs at nodes are not falsified by rounding; it says nothing about the way in which the surface leaves the
+/// lattice or the domain of `f`. Otherwise they are those in which normals differ much, or in which values at nodes make a
+/// hidden part of the surface likely.
+/// \param report  if given, is filled with what is known about the surface
 /// \return a closed oriented 2-manifold but for borders where the surface leaves the lattice, or the domain of `f`
 /// \throws Extraction_error if the surface does not meet the lattice
-Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, const Extraction_options& options = {});
+Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, const Extraction_options& options = {},
+                                 Surface_report* report = nullptr);
 
 /// extracts the extremal mesh of the surface `f = 0` from cells that lie on it.
 /// \throws Degenerate_surface_error if `E_g = 0` (up to rounding) over most of the surface

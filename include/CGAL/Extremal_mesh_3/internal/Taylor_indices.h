@@ -62,7 +62,8 @@ inline constexpr Taylor_tables taylor_tables = make_taylor_tables();
 
 /// fills the derivatives up to `order` (0 to 4) from Taylor coefficients.
 /// \param coefficient  gives the coefficient of a number
-template <class Coefficient> void taylor_to_derivatives(const Coefficient& coefficient, int order, Derivatives& d) {
+/// \param d  `Derivatives`, or their bounds
+template <class Coefficient, class D> void taylor_to_derivatives(const Coefficient& coefficient, int order, D& d) {
   d.value = coefficient(0);
   const auto fill = [&](auto& block, std::size_t first) {
     for (std::size_t i = 0; i < block.size(); ++i)
