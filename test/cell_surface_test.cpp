@@ -33,19 +33,22 @@ struct Shape {
   Extraction extraction;
 };
 
-Extraction extracted(const std::string& formula, const Point& low, const Point& high) {
+Extraction extracted(const std::string& formula, const Point& low, const Point& high, double line_tolerance = 0) {
   Extraction_options options;
   options.patches = true;
+  options.line_tolerance = line_tolerance;
   return extract_extremal_mesh(Formula(formula), make_lattice(low, high, 20), options);
 }
 
-/// a surface like a sphere, one like a torus, and one with a border.
+/// a surface like a sphere, one like a torus, and one with a border; the first and the last also with lines of many points.
 const std::vector<Shape>& shapes() {
   const std::string bent = "x^2+1.3*y^2+1.7*z^2+0.2*x^3+0.15*y^3-0.4*x*y*z+0.2*x^2*z+0.1*x*y^2-1";
   static const std::vector<Shape> all = {
       {"closed", extracted(bent, {-1.4, -1.4, -1.4}, {1.4, 1.4, 1.4})},
       {"torus", extracted("(sqrt(x^2+1.3*y^2)-1)^2+z^2*(1+0.2*x)+0.03*y*z-0.16", {-1.6, -1.5, -0.7}, {1.6, 1.5, 0.7})},
-      {"bordered", extracted(bent, {-1.4, -1.4, -0.1}, {1.4, 1.4, 1.4})}};
+      {"bordered", extracted(bent, {-1.4, -1.4, -0.1}, {1.4, 1.4, 1.4})},
+      {"closed_with_fine_lines", extracted(bent, {-1.4, -1.4, -1.4}, {1.4, 1.4, 1.4}, 1e-6)},
+      {"bordered_with_fine_lines", extracted(bent, {-1.4, -1.4, -0.1}, {1.4, 1.4, 1.4}, 1e-4)}};
   return all;
 }
 
