@@ -84,8 +84,8 @@ struct Extremal_mesh_edge {
   /// umbilics, where it has no limit, that of the point beside
   std::vector<double> extremality;
   std::vector<Line_type> segment_types;    ///< one per segment of the polyline
-  /// where they change, in the order of the points: nowhere else but at vertices. What changes it is 0 there (`k_i`,
-  /// `k1 + k2`) to the last bit. Empty, too, for files of a version that did not tell
+  /// where they change, in the order of the points: nowhere else but at vertices. There ∇e_i·t_i, k1 + k2 or k_i is 0, but
+  /// for points of cells that stayed unresolved. Empty, too, in files of a version that did not tell
   std::vector<Type_change> type_changes;
   Line_type type = Line_type::max_largest; ///< the type of the greatest part of the length
   double length = 0;
