@@ -123,6 +123,29 @@ TEST(Check, finds_a_branch_that_belongs_to_another_vertex) {
   EXPECT_TRUE(o.names("in the star of " + name_of(closed_mesh(), Vertex_kind::umbilic, "vertex"))) << o.details;
 }
 
+TEST(Check, finds_a_type_that_changes_where_nothing_changes_it) {
+  const auto changing = [](Parts& p) {
+    for (Extremal_mesh_edge& edge : p.edges)
+      if (edge.type_changes.empty() && edge.segment_types.size() > 2) {
+        edge.segment_types.back() =
+            edge.type == Line_type::max_largest ? Line_type::min_largest : Line_type::max_largest;
+        break;
+      }
+  };
+  const Outcome o = after(closed_mesh(), changing);
+  EXPECT_EQ(o.violated, Names{"type_changes"});
+  EXPECT_TRUE(o.names("changes from")) << o.details;
+  // A file of an older version tells no change at all.
+  EXPECT_EQ(after(closed_mesh(),
+                  [&](Parts& p) {
+                    changing(p);
+                    for (Extremal_mesh_edge& edge : p.edges)
+                      edge.type_changes.clear();
+                  })
+                .violated,
+            Names());
+}
+
 TEST(Check, finds_a_star_in_the_wrong_order) {
   const Outcome o = after(closed_mesh(), [](Parts& p) {
     auto& star = p.vertices[p.first(Vertex_kind::extremal_point)].star;

@@ -131,6 +131,14 @@ TEST(Extremal_mesh, names_the_element_that_refers_to_nothing) {
             "edge 0: it has 13 points, 13 values of k1 and 12 of k2");
   EXPECT_EQ(message([](Parts& p) { p.edges[0].segment_types.pop_back(); }),
             "edge 0: it has 12 segments and 11 segment types");
+  EXPECT_EQ(message([](Parts& p) {
+              p.edges[0].type_changes = {{12, Type_change_kind::turning_point}};
+            }),
+            "edge 0: its type changes at point 12, which is not between the ends of 13 points");
+  EXPECT_EQ(message([](Parts& p) {
+              p.edges[0].type_changes = {{3, Type_change_kind::turning_point}, {2, Type_change_kind::parabolic_point}};
+            }),
+            "edge 0: its type changes at point 2 after point 3");
   EXPECT_EQ(message([](Parts& p) { p.vertices[9].star[0] = 32; }),
             "vertex 9: its star names half-edge 32, but there are only 32");
   EXPECT_EQ(message([](Parts& p) { p.cells[7].boundary[0][0] = 99; }),

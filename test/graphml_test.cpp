@@ -39,6 +39,10 @@ Extremal_mesh hard_numbers() {
   vertices[1].t1 = {0.1 + 0.2, 1e23, 9007199254740993.0};
   vertices[6].umbilic_index = -0.5;
   vertices[6].extrema = {Line_type::min_second, Line_type::max_second};
+  edges[0].type_changes = {{1, Type_change_kind::turning_point},
+                           {3, Type_change_kind::equal_curvatures},
+                           {3, Type_change_kind::parabolic_point},
+                           {5, Type_change_kind::former_vertex}};
   edges[0].k1[3] = std::nextafter(1.0, 2.0);
   cells[0].area = -0.0;
   cells[1].area = 3;
@@ -186,6 +190,26 @@ TEST(GraphML, refuses_wrong_values) {
             "the graph: closed: 'no' is not true or false");
   EXPECT_NE(refusal(spoilt("<data key=\"family\">2<", "<data key=\"family\">7<")).find("its family is 7"),
             std::string::npos);
+}
+
+TEST(GraphML, reads_files_that_do_not_tell_where_types_change) {
+  const Temporary_folder folder;
+  const std::string file = folder.file("old.graphml");
+  write_text(file,
+             spoilt("  <key id=\"type_changes\" for=\"edge\" attr.name=\"type_changes\" attr.type=\"string\"/>\n", ""));
+  expect_same(read_graphml(file), hand_made::hemisphere());
+}
+
+TEST(GraphML, refuses_type_changes_of_no_kind_or_place) {
+  const auto with = [](const std::string& changes) {
+    return refusal(spoilt("<data key=\"segment_types\">",
+                          "<data key=\"type_changes\">" + changes + "</data><data key=\"segment_types\">"));
+  };
+  EXPECT_EQ(with("1 turning_point 2 parabolic_point"), "accepted");
+  EXPECT_EQ(with("1"), "edge 'e0': type_changes: '' is not one of turning_point, equal_curvatures, parabolic_point, "
+                       "former_vertex");
+  EXPECT_EQ(with("-1 turning_point"), "edge 'e0': type_changes: '-1' is not the number of a point");
+  EXPECT_NE(with("99 turning_point").find("its type changes at point 99"), std::string::npos);
 }
 
 TEST(GraphML, refuses_references_to_nothing) {

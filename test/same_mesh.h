@@ -53,6 +53,7 @@ inline void expect_same(const Extremal_mesh_edge& a, const Extremal_mesh_edge& b
   expect_same_bits(a.k2, b.k2, what);
   expect_same_bits(a.extremality, b.extremality, what);
   EXPECT_EQ(a.segment_types, b.segment_types) << what;
+  EXPECT_EQ(a.type_changes, b.type_changes) << what;
   expect_same_bits(std::array{a.length, a.strength, a.sharpness}, std::array{b.length, b.strength, b.sharpness}, what);
   EXPECT_EQ(a.left_cell, b.left_cell) << what;
   EXPECT_EQ(a.right_cell, b.right_cell) << what;

@@ -325,6 +325,10 @@ TEST_F(Tool, wrong_command_lines_exit_with_2) {
   refusal(ellipsoid + "--threads -1", 2);
   refusal(ellipsoid + "--max-level -1", 2);
   refusal(ellipsoid + "--max-level 1000", 2);
+  EXPECT_TRUE(contains(refusal(ellipsoid + "--line-tolerance -0.1", 2), "the line tolerance is -0.1"));
+  refusal(ellipsoid + "--line-tolerance nan", 2);
+  refusal(ellipsoid + "--line-tolerance inf", 2);
+  refusal(ellipsoid + "--line-tolerance small", 2);
 }
 
 TEST_F(Tool, wrong_formulas_exit_with_2_and_tell_where) {
@@ -403,9 +407,10 @@ TEST_F(Tool, bad_meshes_exit_with_1_and_wrong_options_for_them_with_2) {
       contains(refusal("extract a.off -o out.graphml", 1), "line 6: expected the index of a vertex from 0 to 2"));
   write_text(folder.file("a.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   refusal("extract a.off -o out.graphml", 1); // too little to fit anything
-  for (const std::string options : {"--iso 3", "--sigma 1", "--resolution 8", "--box 0 0 0 1 1 1", "--mesher cgal",
-                                    "--radius 1 --rings 2", "--radius 0", "--radius -1", "--radius nan", "--radius inf",
-                                    "--rings 0", "--rings -1", "--rings 99999", "--rings 1.5", "--weld -1", "--weld 1"})
+  for (const std::string options :
+       {"--iso 3", "--sigma 1", "--resolution 8", "--box 0 0 0 1 1 1", "--mesher cgal", "--radius 1 --rings 2",
+        "--radius 0", "--radius -1", "--radius nan", "--radius inf", "--rings 0", "--rings -1", "--rings 99999",
+        "--rings 1.5", "--line-tolerance 1", "--weld -1", "--weld 1"})
     refusal("extract a.off -o out.graphml " + options, 2);
 }
 

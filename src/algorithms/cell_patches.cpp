@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Extremal_mesh_3/cell_patches.h>
 
+#include "../cells/polygon_triangles.h"
 #include "../differential/vector.h"
 #include "patches.h"
 
@@ -70,20 +71,26 @@ Cell_patches triangulate(const Cell_patches& patches) {
     result.begin.push_back(result.corners.size());
     result.cell.push_back(cell);
   };
+  std::vector<const Point*> points;
   for (std::size_t i = 0; i < patches.cell.size(); ++i) {
     const auto corners = polygon(patches, i);
     if (corners.size() <= 3) {
       add(corners, patches.cell[i]);
       continue;
     }
-    Point middle{};
+    points.clear();
     Vector normal{};
     for (const std::uint32_t corner : corners) {
-      middle = middle + (1 / double(corners.size())) * patches.points[corner];
+      points.push_back(&patches.points[corner]);
       normal = normal + patches.normals[corner];
     }
+    const Polygon_triangles triangles = triangles_of_polygon(points);
+    for (const auto& [a, b, c] : triangles.ears)
+      add(std::array{corners[a], corners[b], corners[c]}, patches.cell[i]);
+    if (!triangles.ears.empty())
+      continue;
     const auto centre = std::uint32_t(result.points.size());
-    result.points.push_back(middle);
+    result.points.push_back(triangles.middle);
     // opposite normals, as on a sheet thinner than its cells, have no mean
     result.normals.push_back(norm(normal) > 0 ? normalized(normal) : patches.normals[corners[0]]);
     for (std::size_t j = 0; j < corners.size(); ++j)

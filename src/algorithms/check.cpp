@@ -16,7 +16,8 @@ std::vector<Check> check(const Extremal_mesh& mesh) {
           check_cells(mesh),       check_euler(mesh),
           check_faces(mesh),       check_umbilic_index(mesh),
           check_field_index(mesh), check_even_extremal_points(mesh),
-          check_border(mesh),      check_border_parity(mesh)};
+          check_border(mesh),      check_border_parity(mesh),
+          check_type_changes(mesh)};
 }
 
 bool all_hold(const std::vector<Check>& checks) {

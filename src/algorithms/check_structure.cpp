@@ -98,6 +98,27 @@ Check check_walks(const Extremal_mesh& mesh) {
                    fmt::format("{} walks", walks));
 }
 
+Check check_type_changes(const Extremal_mesh& mesh) {
+  const std::string name = "type_changes",
+                    claim = "the type of a line changes at vertices and at its type changes only";
+  Violations bad;
+  std::size_t told = 0;
+  for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
+    const Extremal_mesh_edge& x = mesh.edge(e);
+    told += x.type_changes.size();
+    for (std::size_t i = 1; i < x.segment_types.size(); ++i)
+      if (x.segment_types[i - 1] != x.segment_types[i] &&
+          std::none_of(x.type_changes.begin(), x.type_changes.end(), [&](const auto& c) { return c.point == i; }))
+        bad.at(fmt::format("edge {} changes from {} to {}", e, to_string(x.segment_types[i - 1]),
+                           to_string(x.segment_types[i])),
+               x.polyline[i]);
+  }
+  Check check = bad.check(name, claim, fmt::format("{} type changes", told));
+  if (told == 0 && !check.holds)
+    return {name, claim, false, true, "no type change is told, as in files of older versions"};
+  return check;
+}
+
 Check check_geometry(const Extremal_mesh& mesh) {
   Violations bad;
   for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {

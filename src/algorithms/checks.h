@@ -42,6 +42,7 @@ Check check_field_index(const Extremal_mesh& mesh);
 Check check_even_extremal_points(const Extremal_mesh& mesh);
 Check check_border(const Extremal_mesh& mesh);
 Check check_border_parity(const Extremal_mesh& mesh);
+Check check_type_changes(const Extremal_mesh& mesh);
 
 } // namespace CGAL::Extremal_mesh_3
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -78,6 +79,7 @@ Arrangement::Arrangement(Refined_complex& complex, const Extraction_options& opt
   for (std::size_t c = 0; c < complex.cells().size(); ++c)
     if (is_crossed(std::uint32_t(c)))
       draw(std::uint32_t(c));
+  refine_segments(options);
 }
 
 void Arrangement::number_crossings() {
@@ -103,6 +105,7 @@ void Arrangement::number_crossings() {
       c.ordinal = i;
       const std::int32_t level = to > from ? from + 1 + std::int32_t(i) : from - std::int32_t(i);
       c.family = level % 2 != 0 ? 1 : 2;
+      c.level = level;
       crossings_.push_back(c);
     }
   }
@@ -120,55 +123,82 @@ std::uint32_t Arrangement::interval(std::uint32_t edge, std::uint32_t ordinal) c
 void Arrangement::place_crossings(const Extraction_options& options) {
   Thread_pool pool(options.threads);
   pool.for_each(crossings_.size(), 32, [&](std::size_t i) { place(crossings_[i], crossings_of(crossings_[i].edge)); });
+  for (std::uint32_t e = 0; e < complex_.edges().size(); ++e)
+    if (crossings_of(e) > 1)
+      spread(e);
+}
+
+/// distributes the crossings of an edge over it, unless they were found in their order.
+void Arrangement::spread(std::uint32_t e) {
+  const Refined_edge& edge = complex_.edges()[e];
+  const bool backwards = complex_.samples()[edge.b].p < complex_.samples()[edge.a].p;
+  const std::uint32_t count = crossings_of(e);
+  Crossing* const all = &crossings_[first_crossing_[e]];
+  bool good = all[0].placed;
+  for (std::uint32_t i = 1; i < count; ++i)
+    good = good && all[i].placed && (backwards ? all[i].t < all[i - 1].t : all[i - 1].t < all[i].t);
+  if (good)
+    return;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    all[i].placed = false;
+    all[i].t = double(backwards ? count - i : i + 1) / (count + 1);
+    static_cast<Line_place&>(all[i]) =
+        line_place(complex_.surface(), sample_of(all[i]), all[i].family,
+                   1e-3 * distance(complex_.samples()[edge.a].p, complex_.samples()[edge.b].p));
+  }
 }
 
 void Arrangement::place(Crossing& crossing, std::uint32_t count) const {
   const Refined_edge& edge = complex_.edges()[crossing.edge];
   const Sample *a = &complex_.samples()[edge.a], *b = &complex_.samples()[edge.b];
-  double ordinal = crossing.ordinal;
+  std::int32_t level = crossing.level, winding = edge.winding;
   if (b->p < a->p) { // the same bits whatever way the edge is numbered
     std::swap(a, b);
-    ordinal = double(count - 1 - crossing.ordinal);
+    level -= 2 * winding;
+    winding = -winding;
   }
-  // The phase above its level. It is nearly linear along the edge, also close to an extremal point, where Φ is not.
-  const double turned = crossing.family == 1 ? -1 : 1;
-  const auto height = [&](const Sample& s) { return std::arg(turned * s.shape.Phi()); };
+  // The phase above its level. It is nearly linear along the edge, also close to an extremal point, where Φ is not. Between several
+  // crossings it turns too far to be told without P and Q, each of which turns by less than half a turn.
+  const double turned = crossing.family == 1 ? -1 : 1, above = a->phase - std::numbers::pi * level;
+  const auto height = [&](const Sample& s) {
+    if (count == 1)
+      return std::arg(turned * s.shape.Phi());
+    const Moved_fields from = moved_to(*a, s);
+    return above + 2 * std::arg(s.P * std::conj(from.P)) + std::arg(s.shape.Q * std::conj(from.Q));
+  };
   Sample s = *a;
-  const auto at = [&](double t) { return sample_between(complex_.surface(), *a, *b, t, Surface::to_place); };
-  if (count > 1) {
-    s = at((ordinal + 1) / (count + 1)); // unresolved at the finest level
-  } else {
-    // Regula falsi in the form of Anderson and Björck, with a bisection where it is slow.
-    // Where samples cannot be moved off a line, crossings keep a little away from them: cells shall have an area.
-    const double margin = complex_.surface().interpolates() ? 1e-6 : 0;
-    double low = 0, high = 1, h_low = height(*a), h_high = height(*b);
-    for (int i = 0; i < 60 && high - low > 1e-13; ++i) {
-      double t = low - h_low * (high - low) / (h_high - h_low);
-      if (!(t > low && t < high) || i % 8 == 7)
-        t = low + (high - low) / 2;
-      t = std::clamp(t, margin, 1 - margin);
-      s = at(t);
-      const double h = height(s);
-      if (std::abs(h) < 1e-14)
-        break;
-      const bool at_low = (h < 0) == (h_low < 0);
-      double& kept = at_low ? h_high : h_low;
-      const double factor = 1 - h / (at_low ? h_low : h_high);
-      kept *= factor > 0 ? factor : 0.5;
-      (at_low ? low : high) = t;
-      (at_low ? h_low : h_high) = h;
-      if ((t == margin && !at_low) || (t == 1 - margin && at_low)) // it lies still nearer to the sample
-        break;
-    }
+  const auto at = [&](double t) {
+    crossing.t = t;
+    return sample_between(complex_.surface(), *a, *b, t, Surface::to_place);
+  };
+  // Regula falsi in the form of Anderson and Björck, with a bisection where it is slow.
+  // Where samples cannot be moved off a line, crossings keep a little away from them: cells shall have an area.
+  const double margin = complex_.surface().interpolates() ? 1e-6 : 0;
+  double last = -1, low = 0, high = 1, h_low = count == 1 ? height(*a) : above;
+  double h_high = count == 1 ? height(*b) : b->phase + std::numbers::pi * (2 * winding - level);
+  crossing.placed = count == 1 || (h_low < 0) != (h_high < 0);
+  for (int i = 0; i < 60 && high - low > 1e-13; ++i) {
+    double t = low - h_low * (high - low) / (h_high - h_low);
+    if (!(t > low && t < high) || i % 8 == 7)
+      t = low + (high - low) / 2;
+    t = std::clamp(t, margin, 1 - margin);
+    s = at(t);
+    const double h = height(s);
+    if (std::abs(h) < 1e-14 || std::abs(t - last) < 1e-10) // the next step would be less by far
+      break;
+    last = t;
+    const bool at_low = (h < 0) == (h_low < 0);
+    double& kept = at_low ? h_high : h_low;
+    const double factor = 1 - h / (at_low ? h_low : h_high);
+    kept *= factor > 0 ? factor : 0.5;
+    (at_low ? low : high) = t;
+    (at_low ? h_low : h_high) = h;
+    if ((t == margin && !at_low) || (t == 1 - margin && at_low)) // it lies still nearer to the sample
+      break;
   }
-  const Principal_quantities q = principal_quantities(s.shape);
-  crossing.p = s.p;
-  crossing.n = s.shape.n;
-  crossing.k1 = q.k1;
-  crossing.k2 = q.k2;
-  crossing.extremality = std::abs(crossing.family == 1 ? q.e2 : q.e1);
-  const double derivative = complex_.surface().extremality_derivative(s, crossing.family, 1e-3 * distance(a->p, b->p));
-  crossing.derivative = std::isfinite(derivative) ? derivative : 0; // infinite where k1 = k2
+  if (count > 1)
+    crossing.placed = crossing.placed && std::abs(std::arg(turned * s.shape.Phi())) < 1e-3; // not across a jump
+  static_cast<Line_place&>(crossing) = line_place(complex_.surface(), s, crossing.family, 1e-3 * distance(a->p, b->p));
 }
 
 std::uint32_t Arrangement::id(const Border_crossings& met, std::size_t i) const {
@@ -257,13 +287,20 @@ void Arrangement::pieces(std::uint32_t c, std::vector<Piece>& pieces) const {
         piece.corners.push_back(walk[at].corner);
       piece.corners.push_back(walk[met[k]].corner);
       // Turn left into the cell, along the segment that ends here.
+      const auto add_points = [&](std::uint32_t crossing, bool backwards = false) {
+        const Points_between points = points_between(crossing, side(crossing));
+        for (std::uint32_t j = 0; j < points.count; ++j)
+          piece.corners.push_back({Kind::line_point, points.id(backwards ? points.count - 1 - j : j)});
+      };
       const Segment_end next = crossings_[walk[met[k]].corner.id].next[side(walk[met[k]].corner.id)];
+      add_points(walk[met[k]].corner.id);
       if (next.node) {
         piece.corners.push_back({Kind::node, next.id});
         // Back out along the branch before this one.
         for (i = (k + n - 1) % n;; i = (i + n - 1) % n)
           if (crossings_[walk[met[i]].corner.id].next[side(walk[met[i]].corner.id)].node)
             break;
+        add_points(walk[met[i]].corner.id, true);
       } else {
         for (i = 0; walk[met[i]].corner.id != next.id;)
           ++i;
@@ -279,6 +316,8 @@ const Point& Arrangement::position(const Piece::Corner& corner) const {
     return complex_.samples()[corner.id].p;
   case Piece::Corner::Kind::crossing:
     return crossings_[corner.id].p;
+  case Piece::Corner::Kind::line_point:
+    return line_points_[corner.id].p;
   default:
     return complex_.samples()[complex_.cells()[nodes_[corner.id].cell].center].p;
   }
@@ -290,6 +329,8 @@ const Vector& Arrangement::normal(const Piece::Corner& corner) const {
     return complex_.samples()[corner.id].shape.n;
   case Piece::Corner::Kind::crossing:
     return crossings_[corner.id].n;
+  case Piece::Corner::Kind::line_point:
+    return line_points_[corner.id].n;
   default:
     return complex_.samples()[complex_.cells()[nodes_[corner.id].cell].center].shape.n;
   }

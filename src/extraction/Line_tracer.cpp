@@ -38,11 +38,8 @@ Extremal_mesh_vertex Line_tracer::vertex_of(const Node& node) const {
   switch (cell.content) {
   case Content::extremal_point:
     v.kind = Vertex_kind::extremal_point;
-    for (int family = 1; family <= 2; ++family) {
-      const double step = 1e-3 * distance(s.p, arrangement_.crossings()[node.crossings[0]].p);
-      v.extrema[std::size_t(family - 1)] =
-          line_type(q.k1, q.k2, family, arrangement_.complex().surface().extremality_derivative(s, family, step));
-    }
+    for (int family = 1; family <= 2; ++family)
+      v.extrema[std::size_t(family - 1)] = line_type(q.k1, q.k2, family, node.derivative[std::size_t(family - 1)]);
     break;
   case Content::umbilic: {
     v.kind = Vertex_kind::umbilic;
@@ -80,12 +77,12 @@ void Line_tracer::make_vertices() {
 
 /// goes on until the line ends: at a node (the step that leads into its cell is returned), at the border of the
 /// surface, or where it began.
-Line_tracer::Step Line_tracer::follow(Step step, std::vector<std::uint32_t>& met) const {
+Line_tracer::Step Line_tracer::follow(Step step, std::vector<Step>& met) const {
   const auto& crossings = arrangement_.crossings();
   const auto& edges_of_cells = arrangement_.complex().edges();
   const std::uint32_t start = step.crossing;
   for (;;) {
-    met.push_back(step.crossing);
+    met.push_back(step);
     const std::uint32_t cell = edges_of_cells[crossings[step.crossing].edge].cell[step.side];
     if (cell == no_id)
       return step;
@@ -106,9 +103,9 @@ void Line_tracer::trace_from_nodes() {
       if (vertices[v].star[i] != no_id)
         continue; // an edge from elsewhere came in here
       const Step first{node.crossings[i], 1U - node.sides[i]};
-      std::vector<std::uint32_t> met;
+      std::vector<Step> met;
       const Step last = follow(first, met);
-      add_edge(v, i, first, met, last);
+      add_edge(v, i, met, last);
     }
   }
 }
@@ -119,9 +116,9 @@ void Line_tracer::trace_from_border() {
     if (border_vertex_[c] == no_id || used_[c])
       continue;
     const Step first{c, arrangement_.complex().edges()[crossings[c].edge].cell[0] != no_id ? 0U : 1U};
-    std::vector<std::uint32_t> met;
+    std::vector<Step> met;
     const Step last = follow(first, met);
-    add_edge(border_vertex_[c], 0, first, met, last);
+    add_edge(border_vertex_[c], 0, met, last);
   }
 }
 
@@ -131,9 +128,9 @@ void Line_tracer::trace_closed_lines() {
     if (used_[c])
       continue;
     const Step first{c, 0};
-    std::vector<std::uint32_t> met;
+    std::vector<Step> met;
     const Step last = follow(first, met);
-    met.push_back(c);
+    met.push_back(first);
     Extremal_mesh_vertex anchor;
     anchor.kind = Vertex_kind::anchor;
     anchor.point = crossings[c].p;
@@ -142,13 +139,43 @@ void Line_tracer::trace_closed_lines() {
     anchor.k2 = crossings[c].k2;
     anchor.star = {no_id, no_id};
     vertices.push_back(anchor);
-    add_edge(std::uint32_t(vertices.size() - 1), 0, first, met, last);
+    add_edge(std::uint32_t(vertices.size() - 1), 0, met, last);
   }
 }
 
-void Line_tracer::add_edge(std::uint32_t source, std::size_t source_slot, Step first,
-                           const std::vector<std::uint32_t>& met, Step last) {
+namespace {
+
+/// Where the type changes without a point that was found for it, as in cells that stayed unresolved, it does so at the point
+/// between the two segments.
+void add_type_changes(Extremal_mesh_edge& edge, const std::vector<double>& derivative) {
+  const std::vector<double>& k = edge.family == 1 ? edge.k1 : edge.k2;
+  std::vector<Type_change> all;
+  std::size_t found = 0;
+  for (std::uint32_t i = 1; i + 1 < edge.polyline.size(); ++i) {
+    if (found < edge.type_changes.size() && edge.type_changes[found].point == i) {
+      all.push_back(edge.type_changes[found++]);
+      continue;
+    }
+    const Line_type before = edge.segment_types[i - 1], after = edge.segment_types[i];
+    if (before == after)
+      continue;
+    const auto largest = [](Line_type type) {
+      return type == Line_type::max_largest || type == Line_type::min_largest;
+    };
+    const bool turns = (derivative[i - 1] + derivative[i] < 0) != (derivative[i] + derivative[i + 1] < 0);
+    const bool flat = (k[i - 1] + k[i] > 0) != (k[i] + k[i + 1] > 0);
+    all.push_back({i, largest(before) != largest(after) ? Type_change_kind::equal_curvatures
+                      : flat && !turns                  ? Type_change_kind::parabolic_point
+                                                        : Type_change_kind::turning_point});
+  }
+  edge.type_changes = std::move(all);
+}
+
+} // namespace
+
+void Line_tracer::add_edge(std::uint32_t source, std::size_t source_slot, const std::vector<Step>& met, Step last) {
   const auto& crossings = arrangement_.crossings();
+  const Step first = met.front();
   const std::uint32_t id = std::uint32_t(edges.size());
   Extremal_mesh_edge edge;
   edge.id = id;
@@ -177,31 +204,47 @@ void Line_tracer::add_edge(std::uint32_t source, std::size_t source_slot, Step f
   edge.left_cell = regions_.region(c.edge, first.side == 0 ? c.ordinal : c.ordinal + 1);
   edge.right_cell = regions_.region(c.edge, first.side == 0 ? c.ordinal + 1 : c.ordinal);
 
-  // Its points. At an umbilic ∇e·t may be infinite and e_j has no limit: the values beside it stand for them.
+  for (const Step& step : met)
+    used_[step.crossing] = 1;
   std::vector<double> derivative;
-  const auto add = [&](const Point& p, const Vector& n, double k1, double k2, double e, double d) {
-    edge.polyline.push_back(p);
-    edge.normals.push_back(n);
-    edge.k1.push_back(k1);
-    edge.k2.push_back(k2);
-    edge.extremality.push_back(e);
-    derivative.push_back(d);
-  };
-  const auto add_node = [&](std::uint32_t v, const Crossing& beside) {
-    const Extremal_mesh_vertex& x = vertices[v];
-    if (v < arrangement_.nodes().size())
-      add(x.point, x.normal, x.k1, x.k2, x.kind == Vertex_kind::extremal_point ? 0 : beside.extremality,
-          beside.derivative);
-  };
-  add_node(source, crossings[met.front()]);
-  for (const std::uint32_t m : met) {
-    used_[m] = 1;
-    const Crossing& x = crossings[m];
-    add(x.p, x.n, x.k1, x.k2, x.extremality, x.derivative);
+  for (const Line_point& x : points_of(source, edge.target, edge.family, met)) {
+    if (x.change)
+      edge.type_changes.push_back({std::uint32_t(edge.polyline.size()), *x.change});
+    edge.polyline.push_back(x.p);
+    edge.normals.push_back(x.n);
+    edge.k1.push_back(x.k1);
+    edge.k2.push_back(x.k2);
+    edge.extremality.push_back(x.extremality);
+    derivative.push_back(x.derivative);
   }
-  add_node(edge.target, crossings[met.back()]);
   measure(edge, derivative);
+  add_type_changes(edge, derivative);
   edges.push_back(std::move(edge));
+}
+
+/// the points of an edge, in order.
+std::vector<Line_point> Line_tracer::points_of(std::uint32_t source, std::uint32_t target, int family,
+                                               const std::vector<Step>& met) const {
+  std::vector<Line_point> points;
+  const auto add = [&](const Line_place& place) { static_cast<Line_place&>(points.emplace_back()) = place; };
+  const auto add_between = [&](const Step& step, std::uint32_t side, bool backwards) {
+    const Points_between between = arrangement_.points_between(step.crossing, side);
+    for (std::uint32_t i = 0; i < between.count; ++i)
+      points.push_back(arrangement_.line_points()[between.id(backwards ? between.count - 1 - i : i)]);
+  };
+  const bool from_node = source < arrangement_.nodes().size(), to_node = target < arrangement_.nodes().size();
+  if (from_node)
+    add_between(met.front(), 1 - met.front().side, true);
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    add(arrangement_.crossings()[met[i].crossing]);
+    if (i + 1 < met.size() || to_node)
+      add_between(met[i], met[i].side, false);
+  }
+  if (from_node)
+    points.insert(points.begin(), Line_point{arrangement_.at_node(source, family, points.front()), std::nullopt});
+  if (to_node)
+    add(Line_place(arrangement_.at_node(target, family, points.back())));
+  return points;
 }
 
 void Line_tracer::measure(Extremal_mesh_edge& edge, const std::vector<double>& derivative) const {

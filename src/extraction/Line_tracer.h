@@ -32,9 +32,10 @@ private:
   void trace_from_nodes();
   void trace_from_border();
   void trace_closed_lines();
-  Step follow(Step step, std::vector<std::uint32_t>& met) const;
-  void add_edge(std::uint32_t source, std::size_t source_slot, Step first, const std::vector<std::uint32_t>& met,
-                Step last);
+  Step follow(Step step, std::vector<Step>& met) const;
+  void add_edge(std::uint32_t source, std::size_t source_slot, const std::vector<Step>& met, Step last);
+  std::vector<Line_point> points_of(std::uint32_t source, std::uint32_t target, int family,
+                                    const std::vector<Step>& met) const;
   void measure(Extremal_mesh_edge& edge, const std::vector<double>& derivative) const;
   void walk_around_cells();
   std::vector<std::uint32_t> next_on_border() const;

@@ -3,6 +3,7 @@
 #include "Regions.h"
 
 #include "../cells/Union_find.h"
+#include "../cells/polygon_triangles.h"
 #include "../differential/vector.h"
 
 #include <cmath>
@@ -19,17 +20,12 @@ double root_extremality(const Sample& s) {
 }
 
 /// adds a piece of a region to it.
-/// \param weight  √|E_g|, summed over the corners
-void add(Extremal_mesh_cell& cell, const std::vector<const Point*>& corners, double weight) {
-  Point middle{};
-  for (const Point* p : corners)
-    middle = middle + (1 / double(corners.size())) * *p;
-  double area = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    area += norm(cross(*corners[i] - middle, *corners[(i + 1) % corners.size()] - middle)) / 2;
+/// \param root  √|E_g|, the mean over the corners
+void add(Extremal_mesh_cell& cell, const std::vector<const Point*>& corners, double root) {
+  const double area = triangles_of_polygon(corners).area;
   ++cell.euler_characteristic;
   cell.area += area;
-  cell.weight += area * weight / double(corners.size());
+  cell.weight += area * root;
 }
 
 } // namespace
@@ -127,19 +123,21 @@ void Regions::count() {
         weight += extremality[v];
         return true;
       });
-      add(cells_[region_[v]], corners, weight);
+      add(cells_[region_[v]], corners, weight / double(corners.size()));
       continue;
     }
     arrangement_.pieces(c, pieces);
     for (const Piece& piece : pieces) {
       corners.clear();
       double weight = 0;
+      std::size_t weighted = 0;
       for (const Piece::Corner& corner_of_piece : piece.corners) {
         corners.push_back(&arrangement_.position(corner_of_piece));
         if (corner_of_piece.kind == Piece::Corner::Kind::sample) // elsewhere E_g is 0
           weight += extremality[corner_of_piece.id];
+        weighted += corner_of_piece.kind != Piece::Corner::Kind::line_point; // however many there are
       }
-      add(cells_[region_[piece.intervals[0]]], corners, weight);
+      add(cells_[region_[piece.intervals[0]]], corners, weight / double(weighted));
     }
   }
 }
@@ -147,9 +145,10 @@ void Regions::count() {
 void Regions::add_patches(Cell_patches& patches) const {
   const Refined_complex& complex = arrangement_.complex();
   using Kind = Piece::Corner::Kind;
-  // Corners are shared between pieces: samples, crossings and nodes have ranges of keys of their own.
-  const std::size_t samples = complex.samples().size(), crossings = arrangement_.crossings().size();
-  std::vector<std::uint32_t> point(samples + crossings + arrangement_.nodes().size(), no_id);
+  // Corners are shared between pieces: samples, crossings, nodes and points of lines have ranges of keys of their own.
+  const std::size_t crossings = complex.samples().size(), nodes = crossings + arrangement_.crossings().size(),
+                    line_points = nodes + arrangement_.nodes().size();
+  std::vector<std::uint32_t> point(line_points + arrangement_.line_points().size(), no_id);
   std::vector<Piece> pieces;
   for (std::uint32_t c = 0; c < complex.cells().size(); ++c) {
     if (complex.cells()[c].divided)
@@ -158,8 +157,9 @@ void Regions::add_patches(Cell_patches& patches) const {
     for (const Piece& piece : pieces) {
       for (const Piece::Corner& corner : piece.corners) {
         const std::size_t key = corner.id + (corner.kind == Kind::sample     ? 0
-                                             : corner.kind == Kind::crossing ? samples
-                                                                             : samples + crossings);
+                                             : corner.kind == Kind::crossing ? crossings
+                                             : corner.kind == Kind::node     ? nodes
+                                                                             : line_points);
         if (point[key] == no_id) {
           point[key] = std::uint32_t(patches.points.size());
           patches.points.push_back(arrangement_.position(corner));

@@ -93,6 +93,8 @@ void require_valid(const Extraction_options& options) {
     throw std::invalid_argument(fmt::format("max_level is {}, not in 0 … 40", options.max_level));
   if (options.max_line_level < 0)
     throw std::invalid_argument(fmt::format("max_line_level is {}, less than 0", options.max_line_level));
+  if (!(std::isfinite(options.line_tolerance) && options.line_tolerance >= 0))
+    throw std::invalid_argument(fmt::format("line_tolerance is {}, not a length of 0 or more", options.line_tolerance));
 }
 
 void require_generic(const Degeneracy& degeneracy) {
@@ -184,6 +186,8 @@ Extraction extract(const Surface& surface, const Cell_complex& cells, std::vecto
     info.area += cell.area;
   info.degenerate_area = degeneracy.area;
   result.report = complex.report();
+  result.report.line_segments = arrangement.number_of_segments();
+  result.report.straight_segments = arrangement.number_of_straight_segments();
   result.report.degenerate_cells = std::size_t(std::count(degeneracy.cells.begin(), degeneracy.cells.end(), char(1)));
   result.mesh = Extremal_mesh(std::move(lines.vertices), std::move(lines.edges), std::move(regions.cells()), info);
   return result;

@@ -88,6 +88,7 @@ inline constexpr std::array edge_fields = {
     field_of<&internal::E::k2, internal::E>("k_min_along", true),
     field_of<&internal::E::extremality, internal::E>("extremality_along", true),
     field_of<&internal::E::segment_types, internal::E>("segment_types", true),
+    field_of<&internal::E::type_changes, internal::E>("type_changes", false),
 };
 
 inline constexpr std::array graph_fields = {

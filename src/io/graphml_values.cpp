@@ -138,6 +138,14 @@ void append(Text& out, const std::vector<Line_type>& types) {
   append_list(out, types, [&](Line_type type) { append(out, type); });
 }
 
+void append(Text& out, const std::vector<Type_change>& changes) {
+  append_list(out, changes, [&](const Type_change& change) {
+    append(out, change.point);
+    out.push_back(' ');
+    append(out, change.kind);
+  });
+}
+
 void append(Text& out, const std::vector<Half_edge>& half_edges) {
   append_list(out, half_edges, [&](Half_edge h) { append(out, h); });
 }
@@ -181,6 +189,11 @@ void parse(std::string_view text, Line_type& value) {
   parse_name(text, {max_largest, min_largest, max_second, min_second}, value);
 }
 
+void parse(std::string_view text, Type_change_kind& value) {
+  using enum Type_change_kind;
+  parse_name(text, {turning_point, equal_curvatures, parabolic_point, former_vertex}, value);
+}
+
 void parse(std::string_view text, std::vector<double>& values) {
   values.clear();
   for (std::string_view word = next_word(text); !word.empty(); word = next_word(text))
@@ -201,6 +214,15 @@ void parse(std::string_view text, std::vector<Line_type>& types) {
   types.clear();
   for (std::string_view word = next_word(text); !word.empty(); word = next_word(text))
     parse(word, types.emplace_back());
+}
+
+void parse(std::string_view text, std::vector<Type_change>& changes) {
+  changes.clear();
+  for (std::string_view word = next_word(text); !word.empty(); word = next_word(text)) {
+    Type_change& change = changes.emplace_back();
+    change.point = number<std::uint32_t>(word, "the number of a point");
+    parse(next_word(text), change.kind);
+  }
 }
 
 void parse(std::string_view text, std::vector<Half_edge>& half_edges) {

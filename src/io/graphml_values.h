@@ -46,6 +46,7 @@ void append(Text& out, std::string_view value);
 void append(Text& out, std::span<const double> values);
 void append(Text& out, const std::vector<Point>& points);
 void append(Text& out, const std::vector<Line_type>& types);
+void append(Text& out, const std::vector<Type_change>& changes);
 void append(Text& out, const std::vector<Half_edge>& half_edges);
 template <std::integral T> void append(Text& out, T value) {
   fmt::format_to(std::back_inserter(out), "{}", value);
@@ -72,9 +73,11 @@ void parse(std::string_view text, std::size_t& value);
 void parse(std::string_view text, Vertex_kind& value);
 void parse(std::string_view text, Umbilic_type& value);
 void parse(std::string_view text, Line_type& value);
+void parse(std::string_view text, Type_change_kind& value);
 void parse(std::string_view text, std::vector<double>& values);
 void parse(std::string_view text, std::vector<Point>& points);
 void parse(std::string_view text, std::vector<Line_type>& types);
+void parse(std::string_view text, std::vector<Type_change>& changes);
 void parse(std::string_view text, std::vector<Half_edge>& half_edges);
 inline void parse(std::string_view text, std::string& value) {
   value = text;

@@ -42,7 +42,8 @@ Json json_of(const Extraction_report& report) {
           {"surface_points", report.surface_points},     {"surface_cells", report.surface_cells},
           {"refined_cells", report.refined_cells},       {"accepted_cells", report.accepted_cells},
           {"uncertain_cells", report.uncertain_cells},   {"interpolated_points", report.interpolated_points},
-          {"degenerate_cells", report.degenerate_cells}, {"rounds", report.rounds}};
+          {"degenerate_cells", report.degenerate_cells}, {"rounds", report.rounds},
+          {"line_segments", report.line_segments},       {"straight_segments", report.straight_segments}};
 }
 
 /// the parameters as the object they should be, or as they are.
@@ -65,8 +66,11 @@ Summary summarize(const Extremal_mesh& mesh) {
     summary.three_ridge += vertex.ridges == 3;
     summary.umbilic_index_sum += vertex.umbilic_index;
   }
-  for (std::size_t e = 0; e < mesh.number_of_edges(); ++e)
+  for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
     ++summary.edges[static_cast<std::size_t>(mesh.edge(e).type)];
+    for (const Type_change& change : mesh.edge(e).type_changes)
+      ++summary.type_changes[static_cast<std::size_t>(change.kind)];
+  }
   for (const Extremal_mesh_cell& cell : mesh.cells()) {
     std::size_t edges = 0;
     for (const std::vector<Half_edge>& walk : cell.boundary)
@@ -86,6 +90,7 @@ std::string to_json(const Extremal_mesh& mesh, const std::vector<Check>& checks,
   json["umbilics"]["three_ridge"] = summary.three_ridge;
   json["edges"] = mesh.number_of_edges();
   json["edges_by_type"] = by_name<Line_type>(summary.edges);
+  json["type_changes"] = by_name<Type_change_kind>(summary.type_changes);
   json["cells"] = mesh.number_of_cells();
   json["cells_by_edges"] = Json::object();
   for (const auto& [edges, cells] : summary.cells_by_edges)

@@ -56,6 +56,20 @@ std::string_view to_string(Line_type type) {
   return "unknown";
 }
 
+std::string_view to_string(Type_change_kind kind) {
+  switch (kind) {
+  case Type_change_kind::turning_point:
+    return "turning_point";
+  case Type_change_kind::equal_curvatures:
+    return "equal_curvatures";
+  case Type_change_kind::parabolic_point:
+    return "parabolic_point";
+  case Type_change_kind::former_vertex:
+    return "former_vertex";
+  }
+  return "unknown";
+}
+
 namespace {
 
 template <typename... Arguments>
@@ -88,6 +102,13 @@ void validate(const Extremal_mesh_edge& edge, std::size_t e, std::size_t number_
           edge.extremality.size());
   require(edge.segment_types.size() == n - 1, "edge {}: it has {} segments and {} segment types", e, n - 1,
           edge.segment_types.size());
+  for (std::size_t i = 0; i < edge.type_changes.size(); ++i) {
+    const std::uint32_t point = edge.type_changes[i].point;
+    require(point > 0 && point + 1 < n,
+            "edge {}: its type changes at point {}, which is not between the ends of {} points", e, point, n);
+    require(i == 0 || edge.type_changes[i - 1].point <= point, "edge {}: its type changes at point {} after point {}",
+            e, point, edge.type_changes[i == 0 ? 0 : i - 1].point);
+  }
 }
 
 void validate(const Extremal_mesh_cell& cell, std::size_t c, std::size_t number_of_half_edges) {

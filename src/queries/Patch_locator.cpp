@@ -4,6 +4,7 @@
 // The nearest point of a triangle: Ericson, Real-Time Collision Detection, 2005, section 5.1.5.
 #include <CGAL/Extremal_mesh_3/Patch_locator.h>
 
+#include "../cells/polygon_triangles.h"
 #include "../cgal/Box_tree.h"
 #include "../differential/vector.h"
 #include "require.h"
@@ -69,6 +70,7 @@ void validate(const Cell_patches& patches) {
 
 std::vector<Triangle> triangles_of(const Cell_patches& patches) {
   std::vector<Triangle> triangles;
+  std::vector<const Point*> corners;
   for (std::uint32_t i = 0; i < patches.cell.size(); ++i) {
     const std::size_t first = patches.begin[i], n = patches.begin[i + 1] - first;
     const auto corner = [&](std::size_t k) -> const Point& { return patches.points[patches.corners[first + k % n]]; };
@@ -76,11 +78,15 @@ std::vector<Triangle> triangles_of(const Cell_patches& patches) {
       triangles.push_back({{corner(0), corner(1), corner(2)}, i});
       continue;
     }
-    Point middle{};
+    corners.clear();
     for (std::size_t k = 0; k < n; ++k)
-      middle = middle + (1 / double(n)) * corner(k);
-    for (std::size_t k = 0; k < n; ++k)
-      triangles.push_back({{middle, corner(k), corner(k + 1)}, i});
+      corners.push_back(&corner(k));
+    const Polygon_triangles cover = triangles_of_polygon(corners);
+    for (const auto& [a, b, c] : cover.ears)
+      triangles.push_back({{corner(a), corner(b), corner(c)}, i});
+    if (cover.ears.empty())
+      for (std::size_t k = 0; k < n; ++k)
+        triangles.push_back({{cover.middle, corner(k), corner(k + 1)}, i});
   }
   require_number(triangles.size());
   return triangles;

@@ -67,6 +67,7 @@ private:
   /// appends a piece, whose first point is the last of the edge so far.
   static void append(Extremal_mesh_edge& edge, const Extremal_mesh_edge& piece, bool backwards) {
     const std::size_t skipped = edge.polyline.empty() ? 0 : 1;
+    append_type_changes(edge, piece, backwards);
     const auto append_values = [&](auto& to, const auto& from, std::size_t skip) {
       if (backwards)
         to.insert(to.end(), from.rbegin() + std::ptrdiff_t(skip), from.rend());
@@ -79,6 +80,20 @@ private:
     append_values(edge.k2, piece.k2, skipped);
     append_values(edge.extremality, piece.extremality, skipped);
     append_values(edge.segment_types, piece.segment_types, 0);
+  }
+
+  static void append_type_changes(Extremal_mesh_edge& edge, const Extremal_mesh_edge& piece, bool backwards) {
+    const auto first = std::uint32_t(edge.polyline.empty() ? 0 : edge.polyline.size() - 1);
+    const Line_type first_type = backwards ? piece.segment_types.back() : piece.segment_types.front();
+    if (first > 0 && edge.segment_types.back() != first_type)
+      edge.type_changes.push_back({first, Type_change_kind::former_vertex});
+    const auto last = std::uint32_t(piece.polyline.size() - 1);
+    if (backwards)
+      for (auto change = piece.type_changes.rbegin(); change != piece.type_changes.rend(); ++change)
+        edge.type_changes.push_back({first + last - change->point, change->kind});
+    else
+      for (const Type_change& change : piece.type_changes)
+        edge.type_changes.push_back({first + change.point, change.kind});
   }
 
   void add_vertex(std::uint32_t v) {

@@ -110,6 +110,9 @@ Input mesh_input(const Extract_options& options) {
     throw Usage_error(
         "--box, --resolution, --mesher, --iso and --sigma are for formulas and images; a mesh is taken as "
         "it is");
+  if (options.line_tolerance)
+    throw Usage_error(
+        "--line-tolerance is for formulas and images; the lines on a mesh are straight between its edges");
   if (options.radius && options.rings)
     throw Usage_error("there are a radius and a number of rings; give one of --radius and --rings");
   if (options.radius && !(std::isfinite(*options.radius) && *options.radius > 0))
@@ -134,6 +137,9 @@ Input read_input(const Extract_options& options) {
     throw Usage_error("there is an input file and a formula; give one of them");
   if (!options.formula && options.input.empty())
     throw Usage_error("there is nothing to extract from; give an image, a mesh, or --formula \"…\" and --box");
+  if (options.line_tolerance && !(std::isfinite(*options.line_tolerance) && *options.line_tolerance >= 0))
+    throw Usage_error(
+        fmt::format("the line tolerance is {}; give --line-tolerance a length of 0 or more", *options.line_tolerance));
   return options.formula               ? formula_input(options)
          : is_mesh_file(options.input) ? mesh_input(options)
                                        : image_input(options);

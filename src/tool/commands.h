@@ -45,6 +45,7 @@ struct Extract_options : Output_options {
   std::optional<double> radius, weld;
   std::optional<int> rings;
   std::optional<int> max_level, max_line_level;
+  std::optional<double> line_tolerance;
 };
 int extract(const Extract_options& options);
 

@@ -78,6 +78,7 @@ int extract(const Extract_options& options) {
   extraction_options.max_level = options.max_level.value_or(input.max_level);
   extraction_options.max_line_level =
       options.max_line_level.value_or(input.max_line_level.value_or(extraction_options.max_level));
+  extraction_options.line_tolerance = options.line_tolerance.value_or(0);
   extraction_options.patches = outputs.need_patches();
   Result result;
   if (input.function)
@@ -87,6 +88,8 @@ int extract(const Extract_options& options) {
 
   input.parameters["max_level"] = extraction_options.max_level;
   input.parameters["max_line_level"] = extraction_options.max_line_level;
+  if (options.line_tolerance)
+    input.parameters["line_tolerance"] = *options.line_tolerance;
   using Json = nlohmann::ordered_json;
   result.extraction.mesh.set_provenance(
       input.source, input.parameters.dump(-1, ' ', false, Json::error_handler_t::replace), input.frame);

@@ -22,6 +22,20 @@ Json json_of_side(const Extremal_mesh& mesh, const Cell_side& side) {
           {"neighbour", side.neighbour}};
 }
 
+/// the points inside edges at which the type changes, in the order of a walk.
+Json type_changes_of(const Extremal_mesh& mesh, const std::vector<Half_edge>& walk) {
+  Json list = Json::array();
+  for (const Half_edge h : walk) {
+    const Extremal_mesh_edge& edge = mesh.edge(h / 2);
+    const std::size_t n = edge.type_changes.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Type_change& change = edge.type_changes[h % 2 == 0 ? i : n - 1 - i];
+      list.push_back({{"edge", h / 2}, {"kind", to_string(change.kind)}, {"point", edge.polyline[change.point]}});
+    }
+  }
+  return list;
+}
+
 /// appends a value, of which the first line is indented already.
 /// \param width  up to which it is written on one line
 void append_pretty(std::string& out, const Json& json, std::size_t indent, std::size_t width) {
@@ -80,6 +94,7 @@ Json json_of_edge(const Extremal_mesh& mesh, std::uint32_t e) {
                {"left_cell", edge.left_cell},
                {"right_cell", edge.right_cell}};
   add(json, m);
+  json["type_changes"] = type_changes_of(mesh, {2 * e});
   return json;
 }
 
@@ -98,6 +113,7 @@ Json json_of_line(const Extremal_mesh& mesh, const Extremal_line& line) {
   add(json, line_measures(mesh, line));
   json["half_edges"] = line.half_edges;
   json["vertices"] = vertices_along(mesh, line.half_edges);
+  json["type_changes"] = type_changes_of(mesh, line.half_edges);
   return json;
 }
 

@@ -113,6 +113,11 @@ std::string summary_text(const Extremal_mesh& mesh, const std::vector<Check>& ch
     text += line("umbilics", umbilics, kinds);
   }
   text += line("edges", mesh.number_of_edges(), counts<Line_type>(summary.edges));
+  std::size_t changes = 0;
+  for (const std::size_t number : summary.type_changes)
+    changes += number;
+  if (changes != 0)
+    text += line("changes", changes, counts<Type_change_kind>(summary.type_changes));
   text += line("cells", mesh.number_of_cells(), cell_counts(summary));
   text += fmt::format("{:<10} {}\n", "on a", surface_text(mesh.surface()));
   if (report)

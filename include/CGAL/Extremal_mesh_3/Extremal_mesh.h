@@ -32,9 +32,25 @@ enum class Umbilic_type : std::uint8_t { none, lemon, monstar, star };
 /// of curvature, and is it the larger or the smaller of |k1| and |k2|. `max_largest` lines are the crest lines.
 enum class Line_type : std::uint8_t { max_largest, min_largest, max_second, min_second };
 
+/// What makes the type of a line change at one of its points.
+enum class Type_change_kind : std::uint8_t {
+  turning_point,    ///< ∇e_i·t_i = 0: maxima become minima
+  equal_curvatures, ///< |k1| = |k2|, the mean curvature is 0: the largest curvature becomes the second
+  parabolic_point,  ///< k_i = 0: maxima of |k_i| become minima
+  former_vertex     ///< a vertex was here before the mesh was simplified
+};
+
 std::string_view to_string(Vertex_kind);
 std::string_view to_string(Umbilic_type);
 std::string_view to_string(Line_type);
+std::string_view to_string(Type_change_kind);
+
+/// A point of an edge at which the type of the line changes.
+struct Type_change {
+  std::uint32_t point = 0; ///< its index in the polyline
+  Type_change_kind kind = Type_change_kind::turning_point;
+  bool operator==(const Type_change&) const = default;
+};
 
 /// Half-edge `2e` runs along edge `e` from its source to its target, half-edge `2e+1` runs back.
 using Half_edge = std::uint32_t;
@@ -68,6 +84,9 @@ struct Extremal_mesh_edge {
   /// umbilics, where it has no limit, that of the point beside
   std::vector<double> extremality;
   std::vector<Line_type> segment_types;    ///< one per segment of the polyline
+  /// where they change, in the order of the points: nowhere else but at vertices. There ∇e_i·t_i, k1 + k2 or k_i is 0, but
+  /// for points of cells that stayed unresolved. Empty, too, in files of a version that did not tell
+  std::vector<Type_change> type_changes;
   Line_type type = Line_type::max_largest; ///< the type of the greatest part of the length
   double length = 0;
   double strength = 0;                         ///< ∫|k_family| ds, no unit

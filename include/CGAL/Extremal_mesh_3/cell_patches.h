@@ -21,8 +21,8 @@ enum class Cell_colouring : std::uint8_t {
 /// \throws std::invalid_argument if no polygon is of that cell, or the arrays do not fit together
 Cell_patches patches_of_cell(const Cell_patches& patches, std::uint32_t cell);
 
-/// divides each polygon of more than three corners into triangles around the mean of its corners: so, too,
-/// `Extremal_mesh_cell::area` is defined. Given points keep their indices. O(size of the patches).
+/// divides each polygon of more than three corners into triangles: around the mean of its corners, or of corners alone if it is too
+/// concave for that. So, too, `Extremal_mesh_cell::area` is defined. Given points keep their indices. O(size of the patches).
 /// \throws std::invalid_argument if the arrays do not fit together
 Cell_patches triangulate(const Cell_patches& patches);
 

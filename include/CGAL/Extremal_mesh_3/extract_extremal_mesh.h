@@ -27,6 +27,9 @@ struct Extraction_options {
   /// prove the shape of the surface although bounds of the function take long: with images. Where they do not, with
   /// formulas, it is always proved
   bool prove_surface = false;
+  /// how far a line may be from its polyline, in the input's unit of length; 0: the lines have a point on each edge of the
+  /// divided cells, and as many as that makes. Surfaces that are known at points only have lines with a corner on each edge anyway
+  double line_tolerance = 0;
   bool patches = false; ///< also return the surface cut along the lines
   Progress progress;
 };
@@ -63,6 +66,9 @@ struct Extraction_report {
   /// initial cells with a corner at which no jet could be fitted, or one that contradicts the cells
   std::size_t unknown_cells = 0;
   int rounds = 0;                     ///< of subdivision
+  std::size_t line_segments = 0;      ///< pieces of lines within one cell
+  /// those of them that were left straight, or coarser than `line_tolerance`, as the points between could not be placed on the line
+  std::size_t straight_segments = 0;
 };
 
 /// The surface cut along the extremal lines: polygons, each within one cell of the extremal mesh.

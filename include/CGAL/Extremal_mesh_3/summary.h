@@ -21,6 +21,7 @@ struct Summary {
   std::array<std::size_t, 4> umbilics{};             ///< by `Umbilic_type`; `none`: not generic
   std::size_t one_ridge = 0, three_ridge = 0;        ///< umbilics by the lines through them
   std::array<std::size_t, 4> edges{};                ///< by `Line_type`
+  std::array<std::size_t, 4> type_changes{};         ///< by `Type_change_kind`
   std::map<std::size_t, std::size_t> cells_by_edges; ///< how many cells have so many edges
   double umbilic_index_sum = 0;
 };
