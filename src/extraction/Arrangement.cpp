@@ -4,6 +4,7 @@
 
 #include "../cells/parallel.h"
 #include "../differential/vector.h"
+#include "find_root.h"
 
 #include <algorithm>
 #include <cmath>
@@ -171,31 +172,28 @@ void Arrangement::place(Crossing& crossing, std::uint32_t count) const {
     crossing.t = t;
     return sample_between(complex_.surface(), *a, *b, t, Surface::to_place);
   };
-  // Regula falsi in the form of Anderson and Björck, with a bisection where it is slow.
-  // Where samples cannot be moved off a line, crossings keep a little away from them: cells shall have an area.
-  const double margin = complex_.surface().interpolates() ? 1e-6 : 0;
-  double last = -1, low = 0, high = 1, h_low = count == 1 ? height(*a) : above;
+  double low = 0, high = 1, h_low = count == 1 ? height(*a) : above;
   double h_high = count == 1 ? height(*b) : b->phase + std::numbers::pi * (2 * winding - level);
   crossing.placed = count == 1 || (h_low < 0) != (h_high < 0);
-  for (int i = 0; i < 60 && high - low > 1e-13; ++i) {
-    double t = low - h_low * (high - low) / (h_high - h_low);
-    if (!(t > low && t < high) || i % 8 == 7)
-      t = low + (high - low) / 2;
-    t = std::clamp(t, margin, 1 - margin);
-    s = at(t);
-    const double h = height(s);
-    if (std::abs(h) < 1e-14 || std::abs(t - last) < 1e-10) // the next step would be less by far
-      break;
-    last = t;
-    const bool at_low = (h < 0) == (h_low < 0);
-    double& kept = at_low ? h_high : h_low;
-    const double factor = 1 - h / (at_low ? h_low : h_high);
-    kept *= factor > 0 ? factor : 0.5;
-    (at_low ? low : high) = t;
-    (at_low ? h_low : h_high) = h;
-    if ((t == margin && !at_low) || (t == 1 - margin && at_low)) // it lies still nearer to the sample
-      break;
+  const auto value = [&](double t) { return height(s = at(t)); };
+  bool at_an_end = false;
+  if (complex_.surface().interpolates()) {
+    // Where samples cannot be moved off a line, crossings keep a little away from them: cells shall have an area.
+    constexpr double margin = 1e-6;
+    low = margin;
+    high = 1 - margin;
+    const double beside_low = value(low);
+    at_an_end = (beside_low < 0) != (h_low < 0);
+    h_low = beside_low;
+    if (!at_an_end) {
+      const double beside_high = value(high);
+      at_an_end = (beside_high < 0) != (h_high < 0);
+      h_high = beside_high;
+    }
   }
+  constexpr double tolerance = 1e-12; // of the edge
+  if (!at_an_end && (h_low < 0) != (h_high < 0))
+    find_root(value, low, high, h_low, h_high, tolerance);
   if (count > 1)
     crossing.placed = crossing.placed && std::abs(std::arg(turned * s.shape.Phi())) < 1e-3; // not across a jump
   static_cast<Line_place&>(crossing) = line_place(complex_.surface(), s, crossing.family, 1e-3 * distance(a->p, b->p));

@@ -22,7 +22,7 @@ std::optional<Sample> Implicit_surface::sample(const Point& x, const Vector& dir
   // Newton along the line. All derivatives are taken where the step to the surface is within the accuracy; as steps
   // shrink quadratically, the step before tells when that will be. The guess x is often good enough by itself.
   Derivatives d;
-  double s = 0, expected = 0;
+  double s = 0, expected = 0, last = reach;
   for (int i = 0; i < 25; ++i) {
     const Point p = x + s * direction;
     const bool all = expected < accuracy * reach;
@@ -30,8 +30,8 @@ std::optional<Sample> Implicit_surface::sample(const Point& x, const Vector& dir
     const double step = -d.value / dot(d.gradient, direction);
     if (!std::isfinite(step) || std::abs(s + step) > reach)
       return std::nullopt;
-    // Where the surface is far from the origin, steps below 1e-9 that do not shrink any more are rounding.
-    const bool rounding = i > 8 && std::abs(step) < 1e-9 * reach;
+    // Small steps that do not shrink any more are rounding, which far from the origin is more than what is asked for.
+    const bool rounding = std::abs(step) < 1e-6 * reach && std::abs(step) > 0.01 * std::abs(last);
     if (all && (std::abs(step) <= accuracy * reach || rounding)) {
       const Local_shape shape = local_shape(d);
       if (!finite(shape))
@@ -39,6 +39,7 @@ std::optional<Sample> Implicit_surface::sample(const Point& x, const Vector& dir
       return Sample(p + step * direction, shape, true);
     }
     s += step;
+    last = step;
     expected = i > 8 ? 0 : step * step / reach;
   }
   return std::nullopt;

@@ -6,6 +6,7 @@
 #include "place_on_line.h"
 
 #include "../differential/vector.h"
+#include "find_root.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,8 @@ namespace CGAL::Extremal_mesh_3 {
 
 namespace {
 
-/// The root is found when a step is less than this part of the chord: the next one would be less by far.
-constexpr double settled = 1e-10;
+/// The root is found when it is known to this part of the chord.
+constexpr double settled = 1e-12;
 
 } // namespace
 
@@ -46,7 +47,7 @@ std::optional<Placed_on_line> place_on_line(const Surface& surface, const Chord&
     return rising * std::arg(turned * s->shape.Phi());
   };
   constexpr double zero = 1e-14; // of a phase
-  const double limit = wide * std::min(t, 1 - t) * size, least = 1e-13 * size;
+  const double limit = wide * std::min(t, 1 - t) * size;
   double h0 = std::clamp(guess, -limit, limit), g0 = height(h0);
   if (std::abs(g0) < zero)
     return Placed_on_line{*s, h0};
@@ -67,26 +68,20 @@ std::optional<Placed_on_line> place_on_line(const Surface& surface, const Chord&
   }
   if (std::isnan(g1))
     return std::nullopt;
-  // Regula falsi in the form of Anderson and Björck.
-  double low = g0 < 0 ? h0 : h1, high = g0 < 0 ? h1 : h0, g_low = std::min(g0, g1), g_high = std::max(g0, g1);
-  double h = h1, last = std::numeric_limits<double>::infinity(), g = g1;
-  for (int i = 0; i < 60 && high - low > least; ++i) {
-    h = low - g_low * (high - low) / (g_high - g_low);
-    if (!(h > low && h < high) || i % 8 == 7)
-      h = low + (high - low) / 2;
-    g = height(h);
-    if (std::isnan(g))
-      return std::nullopt;
-    if (std::abs(g) < zero || std::abs(h - last) < settled * size)
-      break;
-    last = h;
-    const bool at_low = g < 0;
-    double& kept = at_low ? g_high : g_low;
-    const double factor = 1 - g / (at_low ? g_low : g_high);
-    kept *= factor > 0 ? factor : 0.5;
-    (at_low ? low : high) = h;
-    (at_low ? g_low : g_high) = g;
-  }
+  bool lost = false;
+  double h = h1, g = g1;
+  const auto value = [&](double offset) {
+    h = offset;
+    g = height(offset);
+    lost = lost || std::isnan(g);
+    return lost ? 0 : g; // a root ends the search
+  };
+  if (h0 < h1)
+    find_root(value, h0, h1, g0, g1, settled * size);
+  else
+    find_root(value, h1, h0, g1, g0, settled * size);
+  if (lost)
+    return std::nullopt;
   constexpr double jump = 1e-3; // where the phase goes from π to −π it does not come near to 0
   if (!s || !(std::abs(g) < jump))
     return std::nullopt;
