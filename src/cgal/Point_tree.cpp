@@ -6,8 +6,11 @@
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits.h>
 
+#include <boost/iterator/function_output_iterator.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -65,14 +68,11 @@ auto Point_tree<dimension>::nearest(const Coordinates& p, std::size_t k, double 
 
 template <std::size_t dimension>
 std::vector<std::uint32_t> Point_tree<dimension>::all_within(const Coordinates& p, double within) const {
-  std::vector<Numbered_point<dimension>> points;
-  if (tree_->tree.size() > 0)
-    tree_->tree.search(std::back_inserter(points),
-                       CGAL::Fuzzy_sphere<Traits<dimension>>(Numbered_point<dimension>{p, 0}, within));
   std::vector<std::uint32_t> found;
-  found.reserve(points.size());
-  for (const auto& point : points)
-    found.push_back(point.index);
+  const auto take = [&found](const Numbered_point<dimension>& point) { found.push_back(point.index); };
+  if (tree_->tree.size() > 0)
+    tree_->tree.search(boost::make_function_output_iterator(std::cref(take)),
+                       CGAL::Fuzzy_sphere<Traits<dimension>>(Numbered_point<dimension>{p, 0}, within));
   std::sort(found.begin(), found.end());
   return found;
 }

@@ -222,7 +222,7 @@ Alignment align(const Features& a, const Target& b, const Similarity& start, con
     double step = 0;
     for (const double x : by)
       step = std::max(step, std::abs(x));
-    const bool converged = t == 1 && step < 1e-6 * options.last_gate;
+    const bool converged = t == 1 && step < 1e-5 * options.last_gate;
     if (converged || round + 1 == options.rounds) {
       estimate_errors(result, residuals, centre, size, options, *inverse);
       result.motion.rotation = nearest_rotation(result.motion.rotation); // without the rounding of all the rounds

@@ -133,13 +133,18 @@ Registration_evidence gather_evidence(const Features& a, const Target& b, const 
   return evidence;
 }
 
-std::string objection(const Registration_evidence& e) {
+std::string objection(const Registration_evidence& e, const Alignment& alignment, double tolerance) {
+  if (!alignment.determined)
+    return "the vertices and lines that match do not fix a motion";
   const double share = e.vertices > 0 ? double(e.matched) / double(e.vertices) : 0;
-  const bool by_vertices = e.log10_significance < -6 && share >= 0.35 && share >= 2.5 * e.chance;
-  const bool by_surface = e.overlap >= 0.6 && e.on_surface >= 0.75 && e.log10_significance < -1;
-  if (by_vertices && e.on_surface >= 0.4)
-    return "";
-  if (by_surface)
+  // On smooth surfaces noise moves extremal points along flat extrema of the curvature, farther than the tolerance, but lines
+  // stay on the surface. That tells a motion too, if the surface cannot slide along itself.
+  const bool fixed = alignment.translation_error < 0.2 * tolerance && alignment.rotation_error < 0.02;
+  const bool by_vertices =
+      e.log10_significance < -6 && share >= 0.35 && share >= 2.5 * e.chance && e.on_surface >= 0.4;
+  const bool by_surface =
+      fixed && e.overlap >= 0.6 && e.on_surface >= 0.85 && e.on_surface >= 2 * e.on_surface_by_chance;
+  if (by_vertices || by_surface)
     return "";
   return fmt::format("of {} vertices where the meshes overlap {:.0f} % match, {:.0f} % by chance, and {:.0f} % of the "
                      "lines there lie on the other surface, {:.0f} % by chance",

@@ -4,7 +4,7 @@
 #define EXTREMAL_MESH_3_SRC_REGISTRATION_EVIDENCE_H
 
 #include "../cells/parallel.h"
-#include "Target.h"
+#include "align.h"
 
 #include <CGAL/Extremal_mesh_3/register.h>
 
@@ -22,8 +22,8 @@ struct Evidence_options {
 Registration_evidence gather_evidence(const Features& a, const Target& b, const Similarity& motion,
                                       const Evidence_options& options, Thread_pool& threads);
 
-/// \return why the evidence is not enough; empty if it is
-std::string objection(const Registration_evidence& evidence);
+/// \return why the evidence for a motion is not enough; empty if it is
+std::string objection(const Registration_evidence& evidence, const Alignment& alignment, double tolerance);
 
 } // namespace CGAL::Extremal_mesh_3
 

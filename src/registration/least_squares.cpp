@@ -19,10 +19,16 @@ template <std::size_t n> struct Eigensystem {
   explicit Eigensystem(std::array<std::array<double, n>, n> a) {
     for (std::size_t i = 0; i < n; ++i)
       vectors[i][i] = 1;
-    for (int sweep = 0; sweep < 30; ++sweep) // it converges quadratically: 5 are enough
+    bool changed = true;
+    for (int sweep = 0; changed && sweep < 30; ++sweep) { // it converges quadratically: about 5 are needed
+      changed = false;
       for (std::size_t p = 0; p < n; ++p)
         for (std::size_t q = p + 1; q < n; ++q)
-          rotate(a, p, q);
+          if (std::abs(a[p][q]) > 1e-17 * (std::abs(a[p][p]) + std::abs(a[q][q]))) {
+            rotate(a, p, q);
+            changed = true;
+          }
+    }
     for (std::size_t i = 0; i < n; ++i)
       values[i] = a[i][i];
   }
@@ -30,8 +36,6 @@ template <std::size_t n> struct Eigensystem {
 
 private:
   void rotate(std::array<std::array<double, n>, n>& a, std::size_t p, std::size_t q) {
-    if (a[p][q] == 0)
-      return;
     const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
     const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::hypot(theta, 1));
     const double c = 1 / std::hypot(t, 1), s = t * c;

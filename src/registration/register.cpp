@@ -162,6 +162,8 @@ private:
     std::vector<Candidate> all = candidates(a, b, tried);
     constexpr std::size_t finalists = 4;
     all.resize(std::min(all.size(), finalists));
+    while (!all.empty() && all.back().score < 0.6 * all.front().score) // far behind: it will not catch up
+      all.pop_back();
     Evidence_options evidence_options{tolerance_, reach(), tried, options_.seed};
     std::vector<Registration> refined;
     for (const Candidate& candidate : all) {
@@ -171,7 +173,7 @@ private:
       Registration r;
       r.tolerance = tolerance_;
       r.evidence = gather_evidence(a, b, alignment.motion, evidence_options, threads_);
-      r.reason = alignment.determined ? objection(r.evidence) : "the vertices and lines that match do not fix a motion";
+      r.reason = objection(r.evidence, alignment, tolerance_);
       r.found = r.reason.empty();
       r.transform = alignment.motion;
       if (mirrored)
