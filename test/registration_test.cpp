@@ -195,7 +195,7 @@ TEST(Registration, refuses_what_makes_no_sense) {
   Registration_options options;
   options.tolerance = -1;
   EXPECT_THROW(register_extremal_meshes(wavy_mesh(), wavy_mesh(), options), std::invalid_argument);
-  const Extremal_mesh broken = changed_mesh::changed(
+  const Extremal_mesh broken = changed(
       wavy_mesh(), [](auto& parts) { parts.vertices[0].point[0] = std::numeric_limits<double>::infinity(); });
   EXPECT_THROW(register_extremal_meshes(broken, wavy_mesh()), std::invalid_argument);
 }
@@ -234,8 +234,9 @@ TEST(Comparison, after_registration_finds_everything_of_a_moved_surface) {
     const Comparison c =
         compare_extremal_meshes(wavy_mesh(), moved_mesh(wavy(0), box_of_wavy, motion), options);
     for (const Comparison_row& row : c.rows)
-      if (row.number_a > 0)
+      if (row.number_a > 0) {
         EXPECT_GT(row.matched, 0.999) << row.type;
+      }
     EXPECT_EQ(c.edges, 1);
     EXPECT_EQ(c.cells, 1); // with the other sign where there is a mirror
   }
@@ -244,8 +245,9 @@ TEST(Comparison, after_registration_finds_everything_of_a_moved_surface) {
 TEST(Comparison, of_different_surfaces_finds_what_chance_finds) {
   const Comparison c = compare_extremal_meshes(wavy_mesh(), mesh_of(wavy(1.5), box_of_wavy));
   for (const Comparison_row& row : c.rows)
-    if (row.number_a > 50)
+    if (row.number_a > 50) {
       EXPECT_LT(row.matched, 0.5) << row.type;
+    }
   EXPECT_LT(c.cells, 0.1);
 }
 

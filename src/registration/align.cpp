@@ -198,7 +198,7 @@ Alignment align(const Features& a, const Target& b, const Similarity& start, con
                 Thread_pool* threads) {
   Alignment result;
   result.motion = start;
-  // Samples within a block tell the same: those of a line count less the denser they lie.
+  // Samples that lie close to each other tell the same: those of a line count less the denser they lie.
   const double dense = options.block > 0 ? std::min(1.0, start.scale * a.spacing / options.block) : 1;
   const std::array<double, sorts> share{dense, dense, 1, 1};
   constexpr int narrowing = 8; // rounds from the first gate to the last

@@ -63,7 +63,7 @@ std::array<Distances, 4> distances_of(const std::vector<Landmark_match>& matches
 
 } // namespace
 
-int landmarks(const Landmarks_options& options) {
+int landmarks(const Landmarks_command_options& options) {
   Landmark_options what;
   what.most = most_of(options.most);
   what.umbilics = options.umbilics;

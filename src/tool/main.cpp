@@ -180,7 +180,7 @@ int run(int argc, char** argv) {
   add_simplify(app, simplify_options, command);
   tool::Query_options query_options;
   add_query(app, query_options, command);
-  add_registration_commands(app, command);
+  tool::add_registration_commands(app, command);
   try {
     app.parse(arguments(argc, argv));
   } catch (const CLI::Success& success) { // help or version
@@ -189,7 +189,7 @@ int run(int argc, char** argv) {
     return tell(fmt::format("{}; 'extremal_mesh --help' shows how to call it", error.what()), tool::usage);
   }
   if (!command)
-    return tell("there is no command; give extract, info, check, simplify, query, register, compare, landmarks or match", tool::usage);
+    return tell("there is no command; give extract, info, check, simplify, query, register, compare, landmarks, match or scale-space", tool::usage);
   const int code = command();
   if (std::fflush(stdout) != 0)
     return tell("the output cannot be written; is the disk full?", tool::failure);

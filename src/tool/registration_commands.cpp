@@ -75,6 +75,21 @@ void add_match(CLI::App& app, std::function<int()>& run) {
   c->footer("Example:\n  extremal_mesh match mouse.graphml landmarks.mrk.json --most 500");
 }
 
+void add_scale_space(CLI::App& app, std::function<int()>& run) {
+  const auto [c, o] = command(app, "scale-space", "follows the extremal mesh of an image from scale to scale", scale_space, run);
+  option(c, "IMAGE", o->file, "", "an image: .nrrd .nhdr .mha .mhd .nii .nii.gz .vtk")->required();
+  option(c, "--iso", o->iso, "VALUE", "the value on the surface")->required();
+  option(c, "--sigma", o->sigmas, "MM …", "the widths of the Gaussian")->required();
+  option(c, "--tolerance", o->tolerance, "MM", "how far a vertex may move, plus half of the step of sigma (a voxel)");
+  option(c, "-o,--output", o->output, "FILE", "write how many there are of what at each scale (.csv)");
+  option(c, "--events", o->events, "FILE", "write what vertices become (.csv)");
+  option(c, "--plot", o->plot, "FILE", "draw the numbers against sigma (.svg .png)");
+  option(c, "--graphs", o->folder, "FOLDER", "write the graphs there, as sigma_….graphml");
+  option(c, "--threads", o->threads, "N", "0: as many as there are cores (0)");
+  c->add_flag("--quiet", o->quiet, "print errors only");
+  c->footer("Example:\n  extremal_mesh scale-space skull.nii.gz --iso 300 --sigma 2 3 4 6 8 -o scales.csv --plot scales.svg");
+}
+
 } // namespace
 
 void add_registration_commands(CLI::App& app, std::function<int()>& run) {
@@ -82,6 +97,7 @@ void add_registration_commands(CLI::App& app, std::function<int()>& run) {
   add_compare(app, run);
   add_landmarks(app, run);
   add_match(app, run);
+  add_scale_space(app, run);
 }
 
 } // namespace CGAL::Extremal_mesh_3::tool

@@ -34,13 +34,13 @@ struct Compare_options {
 };
 int compare(const Compare_options& options);
 
-struct Landmarks_options {
+struct Landmarks_command_options {
   std::string file;
   std::vector<std::string> outputs; ///< .mrk.json or .csv
   std::optional<std::int64_t> most;
   bool umbilics = false;
 };
-int landmarks(const Landmarks_options& options);
+int landmarks(const Landmarks_command_options& options);
 
 struct Match_options {
   std::string file;
@@ -51,16 +51,16 @@ struct Match_options {
 };
 int match(const Match_options& options);
 
-struct Scale_space_options {
+struct Scale_space_command_options {
   std::string file;
   double iso = 0;
   std::vector<double> sigmas;
-  std::string output, plot, folder;
+  std::string output, events, plot, folder;
   std::optional<double> tolerance;
   int threads = 0;
   bool quiet = false;
 };
-int scale_space(const Scale_space_options& options);
+int scale_space(const Scale_space_command_options& options);
 
 /// adds the commands above to the program. The one that is called for is put into `run`.
 void add_registration_commands(CLI::App& app, std::function<int()>& run);
