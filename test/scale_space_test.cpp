@@ -23,17 +23,32 @@ Extremal_mesh with_waves(double height) {
   return extract_extremal_mesh(f, make_lattice({-3.3, -2.2, -1.2}, {3.3, 2.2, 1.2}, 64)).mesh;
 }
 
+/// extremal points and umbilics: the kinds that are followed.
+bool is_followed(const Extremal_mesh_vertex& v) {
+  return v.kind == Vertex_kind::extremal_point || v.kind == Vertex_kind::umbilic;
+}
+std::size_t followed(const Extremal_mesh& mesh) {
+  std::size_t n = 0;
+  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    n += is_followed(mesh.vertex(v));
+  return n;
+}
+
 } // namespace
 
 TEST(Scale_space, of_meshes_that_are_all_the_same_has_no_events) {
   const Extremal_mesh mesh = with_waves(0.003);
   const Scale_space space = link_scales({mesh, mesh, mesh}, {1, 2, 4});
   EXPECT_TRUE(space.events.empty());
-  EXPECT_EQ(space.tracks.size(), mesh.number_of_vertices());
-  for (const double life : space.vertex_life_times(1))
-    EXPECT_NEAR(life, std::log(4.0), 1e-12);
-  for (const double life : space.edge_life_times({mesh, mesh, mesh}, 0))
-    EXPECT_NEAR(life, std::log(4.0), 1e-12);
+  EXPECT_EQ(space.tracks.size(), followed(mesh));
+  const std::vector<double> vertices = space.vertex_life_times(1), edges = space.edge_life_times({mesh, mesh, mesh}, 0);
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    EXPECT_NEAR(vertices[v], is_followed(mesh.vertex(v)) ? std::log(4.0) : 0, 1e-12);
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    EXPECT_NEAR(edges[e],
+                is_followed(mesh.vertex(mesh.edge(e).source)) && is_followed(mesh.vertex(mesh.edge(e).target)) ? std::log(4.0)
+                                                                                                             : 0,
+                1e-12);
 }
 
 TEST(Scale_space, tells_what_vanishes_as_waves_fade) {
@@ -49,10 +64,10 @@ TEST(Scale_space, tells_what_vanishes_as_waves_fade) {
   for (const Scale_track& t : space.tracks)
     in_tracks += t.vertices.size();
   for (const Extremal_mesh& mesh : meshes)
-    vertices += mesh.number_of_vertices();
+    vertices += followed(mesh);
   EXPECT_EQ(in_tracks, vertices);
-  EXPECT_EQ(space.tracks.size(), meshes[0].number_of_vertices() + created);
-  EXPECT_EQ(space.tracks.size(), meshes[2].number_of_vertices() + ended);
+  EXPECT_EQ(space.tracks.size(), followed(meshes[0]) + created);
+  EXPECT_EQ(space.tracks.size(), followed(meshes[2]) + ended);
   EXPECT_GT(ended, 0U);
   // the umbilics of the ellipsoid are there from first to last
   std::size_t lasting = 0;
@@ -100,7 +115,7 @@ TEST(Landmarks, on_extremal_points_are_matched_with_them) {
   for (std::size_t i = 0; i < matches.size(); ++i) {
     EXPECT_EQ(matches[i].extremal_point, strongest[i].vertex);
     EXPECT_EQ(matches[i].to_extremal_point, 0);
-    EXPECT_EQ(matches[i].to_line, 0);
+    EXPECT_LT(matches[i].to_line, 1e-12);
     EXPECT_GT(matches[i].chance_extremal_point, 0);
   }
 }

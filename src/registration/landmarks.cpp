@@ -94,7 +94,7 @@ private:
     return result;
   }
 
-  /// a point of the surface as the nearest line tells where that is.
+  /// a point as high above the surface, as the nearest line tells where that is.
   Point beside(const Point& p, double angle, double length) const {
     std::uint32_t ignored = 0;
     if (!std::isfinite(distance_to(lines_, p, ignored)))
@@ -106,9 +106,10 @@ private:
     };
     Point on_line{};
     const Vector n = normal_at(p, on_line), u = any_orthogonal(n), v = cross(n, u);
+    const double height = dot(p - on_line, n); // a landmark off the surface is compared with points as far off
     const Point q = p + length * std::cos(angle) * u + length * std::sin(angle) * v;
     const Vector m = normal_at(q, on_line);
-    return q - dot(q - on_line, m) * m;
+    return q - (dot(q - on_line, m) - height) * m;
   }
 
   const Extremal_mesh& mesh_;
