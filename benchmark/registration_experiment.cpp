@@ -31,7 +31,8 @@ using namespace CGAL::Extremal_mesh_3;
 namespace {
 
 constexpr std::string_view usage =
-    "usage: registration_experiment (IMAGE --iso V | --surfaces) --sigma MM [--motions 20] [--first SEED] [--noise 0.02]\n"
+    "usage: registration_experiment (IMAGE --iso V | --surfaces) --sigma MM [--motions 20] [--first SEED] [--noise "
+    "0.02]\n"
     "                               [--cut] [--keep FOLDER] -o results.csv\n"
     "--surfaces: random ellipsoids instead of an image; --cut: a third of each image is cut away, on different sides;\n"
     "--keep: the graphs are written there\n"
@@ -111,7 +112,7 @@ Image image_of_surface(unsigned seed) {
         Point p = image.lattice.node(double(i), double(j), double(k));
         for (std::size_t a = 0; a < 3; ++a) // six voxels of air on each side
           p[a] = (box.low[a] + box.high[a]) / 2 + (p[a] - 0.5 * (n - 1)) * side / (n - 13);
-          // The gradient of f is about 2: the edge is about three voxels wide, as in a CT.
+        // The gradient of f is about 2: the edge is about three voxels wide, as in a CT.
         image.voxels.push_back(float(-100 * std::clamp(f.value(p) * (n - 13) / (3 * side), -1.0, 1.0)));
       }
   return image;
@@ -162,9 +163,10 @@ void run(const Options& options) {
   check_writable(options.output);
   if (!options.keep.empty())
     std::filesystem::create_directories(options.keep);
-  std::string csv = "motion,degrees,translation_voxels,vertices_a,vertices_b,found,degrees_error,translation_error_voxels,"
-                    "rms_voxels,degrees_estimated,translation_estimated_voxels,matched_share,chance,on_surface,overlap,"
-                    "seconds\n";
+  std::string csv =
+      "motion,degrees,translation_voxels,vertices_a,vertices_b,found,degrees_error,translation_error_voxels,"
+      "rms_voxels,degrees_estimated,translation_estimated_voxels,matched_share,chance,on_surface,overlap,"
+      "seconds\n";
   unsigned found = 0;
   Errors worst;
   Image image;

@@ -5,6 +5,7 @@
 // moved, are registered by their extremal meshes alone.
 #include <CGAL/Extremal_mesh_3/Functor_function.h>
 #include <CGAL/Extremal_mesh_3/compare.h>
+#include <CGAL/Extremal_mesh_3/extract_extremal_mesh.h>
 #include <CGAL/Extremal_mesh_3/register.h>
 
 #include <cmath>

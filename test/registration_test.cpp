@@ -175,8 +175,7 @@ TEST(Registration, claims_nothing_of_another_surface) {
 }
 
 TEST(Registration, tells_of_the_other_motions_of_a_symmetric_surface) {
-  const auto ellipsoid =
-      make_function([](auto x, auto y, auto z) { return x * x / 9 + y * y / 4 + z * z - 1; });
+  const auto ellipsoid = make_function([](auto x, auto y, auto z) { return x * x / 9 + y * y / 4 + z * z - 1; });
   const Extremal_mesh a = mesh_of(ellipsoid, {{-3.1, -2.1, -1.1}, {3.1, 2.1, 1.1}});
   const Registration r = register_extremal_meshes(a, a);
   EXPECT_TRUE(r.found) << r.reason;
@@ -201,8 +200,8 @@ TEST(Registration, refuses_what_makes_no_sense) {
   Registration_options options;
   options.tolerance = -1;
   EXPECT_THROW(register_extremal_meshes(wavy_mesh(), wavy_mesh(), options), std::invalid_argument);
-  const Extremal_mesh broken = changed(
-      wavy_mesh(), [](auto& parts) { parts.vertices[0].point[0] = std::numeric_limits<double>::infinity(); });
+  const Extremal_mesh broken =
+      changed(wavy_mesh(), [](auto& parts) { parts.vertices[0].point[0] = std::numeric_limits<double>::infinity(); });
   EXPECT_THROW(register_extremal_meshes(broken, wavy_mesh()), std::invalid_argument);
 }
 
@@ -237,8 +236,7 @@ TEST(Comparison, after_registration_finds_everything_of_a_moved_surface) {
       motion = surfaces::mirrored(motion);
     Comparison_options options;
     options.transform = {motion.R, motion.translation, 1};
-    const Comparison c =
-        compare_extremal_meshes(wavy_mesh(), moved_mesh(wavy(0), box_of_wavy, motion), options);
+    const Comparison c = compare_extremal_meshes(wavy_mesh(), moved_mesh(wavy(0), box_of_wavy, motion), options);
     for (const Comparison_row& row : c.rows)
       if (row.number_a > 0) {
         EXPECT_GT(row.matched, 0.999) << row.type;

@@ -46,8 +46,9 @@ TEST(Scale_space, of_meshes_that_are_all_the_same_has_no_events) {
     EXPECT_NEAR(vertices[v], is_followed(mesh.vertex(v)) ? std::log(4.0) : 0, 1e-12);
   for (std::size_t e = 0; e < edges.size(); ++e)
     EXPECT_NEAR(edges[e],
-                is_followed(mesh.vertex(mesh.edge(e).source)) && is_followed(mesh.vertex(mesh.edge(e).target)) ? std::log(4.0)
-                                                                                                             : 0,
+                is_followed(mesh.vertex(mesh.edge(e).source)) && is_followed(mesh.vertex(mesh.edge(e).target))
+                    ? std::log(4.0)
+                    : 0,
                 1e-12);
 }
 

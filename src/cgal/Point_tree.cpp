@@ -48,7 +48,8 @@ Point_tree<dimension>::Point_tree(const std::vector<Coordinates>& points) : tree
 }
 template <std::size_t dimension> Point_tree<dimension>::~Point_tree() = default;
 template <std::size_t dimension> Point_tree<dimension>::Point_tree(Point_tree&&) noexcept = default;
-template <std::size_t dimension> Point_tree<dimension>& Point_tree<dimension>::operator=(Point_tree&&) noexcept = default;
+template <std::size_t dimension>
+Point_tree<dimension>& Point_tree<dimension>::operator=(Point_tree&&) noexcept = default;
 
 template <std::size_t dimension>
 auto Point_tree<dimension>::nearest(const Coordinates& p, std::size_t k, double within) const

@@ -85,7 +85,9 @@ std::vector<Given_landmark> parse_table(const std::string& file, const std::stri
       continue;
     const std::vector<std::string> cells = cells_of(line);
     if (result.empty() && !titled && !cells.empty() && !number_in(cells[0])) { // titles of columns
-      const auto find = [&](const std::string& name) { return std::size_t(std::find(cells.begin(), cells.end(), name) - cells.begin()); };
+      const auto find = [&](const std::string& name) {
+        return std::size_t(std::find(cells.begin(), cells.end(), name) - cells.begin());
+      };
       titled = true;
       if (find("x") < cells.size())
         column = {find("x"), find("y"), find("z")};
@@ -122,17 +124,18 @@ void write_markups(const std::string& file, const Extremal_mesh& mesh, const std
   for (const Landmark& landmark : landmarks) {
     const Extremal_mesh_vertex& v = mesh.vertex(landmark.vertex);
     const Vector &x = v.t1, &y = v.t2, &z = v.normal; // the columns of the orientation
-    points.push_back({{"id", landmark.id},
-                      {"label", landmark.id},
-                      {"description", fmt::format("vertex {}, {}, k1 {:.4g}, k2 {:.4g}, persistence {:.4g}", landmark.vertex,
-                                                  to_string(v.kind), v.k1, v.k2, landmark.persistence)},
-                      {"associatedNodeID", ""},
-                      {"position", v.point},
-                      {"orientation", {x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]}},
-                      {"selected", true},
-                      {"locked", false},
-                      {"visibility", true},
-                      {"positionStatus", "defined"}});
+    points.push_back(
+        {{"id", landmark.id},
+         {"label", landmark.id},
+         {"description", fmt::format("vertex {}, {}, k1 {:.4g}, k2 {:.4g}, persistence {:.4g}", landmark.vertex,
+                                     to_string(v.kind), v.k1, v.k2, landmark.persistence)},
+         {"associatedNodeID", ""},
+         {"position", v.point},
+         {"orientation", {x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]}},
+         {"selected", true},
+         {"locked", false},
+         {"visibility", true},
+         {"positionStatus", "defined"}});
   }
   const Json markup = {{"type", "Fiducial"},
                        {"coordinateSystem", "LPS"},

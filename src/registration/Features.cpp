@@ -82,8 +82,8 @@ Features line_features(const Extremal_mesh& mesh, double spacing, std::size_t mo
         if (norm(n) > 0.5) // else the polyline jumps where the surface has an edge
           features.samples.push_back(
               {e.polyline[s] + t * step, normalized(n), 1 / length * step,
-               std::uint8_t(int(e.family == 2) |
-                            int(is_signed_max(e.segment_types[s], (1 - t) * k[s] + t * k[s + 1])) << 1)});
+               std::uint8_t(int(e.family == 2) | int(is_signed_max(e.segment_types[s], (1 - t) * k[s] + t * k[s + 1]))
+                                                     << 1)});
       }
       walked += length;
     }

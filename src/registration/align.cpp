@@ -201,9 +201,10 @@ Alignment align(const Features& a, const Target& b, const Similarity& start, con
   // Samples that lie close to each other tell the same: those of a line count less the denser they lie.
   const double dense = options.block > 0 ? std::min(1.0, start.scale * a.spacing / options.block) : 1;
   const std::array<double, sorts> share{dense, dense, 1, 1};
-  constexpr int narrowing = 8; // rounds from the first gate to the last
+  // rounds from the first gate to the last, each narrower by a fifth
+  const double narrowing = std::ceil(std::log(options.first_gate / options.last_gate) / std::log(1.25));
   for (int round = 0; round < options.rounds; ++round) {
-    const double t = std::min(1.0, double(round) / narrowing);
+    const double t = narrowing > 0 ? std::min(1.0, double(round) / narrowing) : 1;
     const double gate = options.first_gate * std::pow(options.last_gate / options.first_gate, t);
     std::vector<Residual> residuals = find_residuals(a, b, result.motion, gate, threads);
     result.surface_rms = weigh(residuals, 1e-9 * options.last_gate, share);

@@ -15,8 +15,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <memory>
+#include <numbers>
 #include <optional>
 
 namespace CGAL::Extremal_mesh_3 {
@@ -113,8 +113,8 @@ std::vector<Probe> probes_of(const Extremal_mesh& mesh, Line_type type, double t
       const double length = norm(step);
       const auto parts = std::max<std::size_t>(1, std::size_t(std::ceil(length / (0.5 * tolerance))));
       for (std::size_t part = 0; part < parts; ++part)
-        probes.push_back({e.polyline[s] + (double(part) + 0.5) / double(parts) * step, e.normals[s],
-                          length / double(parts)});
+        probes.push_back(
+            {e.polyline[s] + (double(part) + 0.5) / double(parts) * step, e.normals[s], length / double(parts)});
     }
   }
   return probes;
@@ -196,7 +196,8 @@ Comparison compare_extremal_meshes(const Extremal_mesh& a, const Extremal_mesh& 
   }
   for (const Vertex_class& c : vertex_classes) {
     const std::vector<Probe> of_a = probes_of(a, c), of_b = probes_of(b, c);
-    Comparison_row row = row_of(c.name, there(of_a, lookup_of(of_b, tolerance_b)), home(of_b, lookup_of(of_a, tolerance_a)));
+    Comparison_row row =
+        row_of(c.name, there(of_a, lookup_of(of_b, tolerance_b)), home(of_b, lookup_of(of_a, tolerance_a)));
     row.number_a = of_a.size();
     row.number_b = of_b.size();
     result.rows.push_back(std::move(row));

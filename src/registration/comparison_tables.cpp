@@ -8,12 +8,12 @@
 namespace CGAL::Extremal_mesh_3 {
 
 std::string to_text(const Comparison& c) {
-  std::string text = fmt::format("{:<16} {:>8} {:>8} {:>9} {:>9} {:>8} {:>10} {:>8}\n", "type", "nb1", "nb2", "matched %",
-                                 "back %", "chance %", "deviation", "rms");
+  std::string text = fmt::format("{:<16} {:>8} {:>8} {:>9} {:>9} {:>8} {:>10} {:>8}\n", "type", "nb1", "nb2",
+                                 "matched %", "back %", "chance %", "deviation", "rms");
   for (const Comparison_row& row : c.rows)
-    text += fmt::format("{:<16} {:>8} {:>8} {:>9.1f} {:>9.1f} {:>8.1f} {:>10.4g} {:>8.4g}\n", row.type, row.number_a,
-                        row.number_b, 100 * row.matched, 100 * row.matched_back, 100 * row.chance, row.deviation,
-                        row.rms);
+    text +=
+        fmt::format("{:<16} {:>8} {:>8} {:>9.1f} {:>9.1f} {:>8.1f} {:>10.4g} {:>8.4g}\n", row.type, row.number_a,
+                    row.number_b, 100 * row.matched, 100 * row.matched_back, 100 * row.chance, row.deviation, row.rms);
   text += fmt::format("{:<34} {:>9.1f} {:>9.1f}\n", "edges that correspond", 100 * c.edges, 100 * c.edges_back);
   text += fmt::format("{:<34} {:>9.1f} {:>9.1f}\n", "cells that correspond", 100 * c.cells, 100 * c.cells_back);
   text += fmt::format("{:<34} {:>9.1f}\n", "their area", 100 * c.area_of_cells);

@@ -16,7 +16,8 @@ namespace {
 
 /// the parts of an edge's length beside which edges of the same type run in the other mesh.
 std::map<std::uint32_t, double> length_beside(const Extremal_mesh_edge& e, const Extremal_mesh& b,
-                                              const Segment_finder& finder, const Similarity& motion, double tolerance) {
+                                              const Segment_finder& finder, const Similarity& motion,
+                                              double tolerance) {
   std::map<std::uint32_t, double> beside;
   for (std::size_t s = 0; s + 1 < e.polyline.size(); ++s) {
     const Point p = motion(e.polyline[s]), q = motion(e.polyline[s + 1]);
@@ -24,10 +25,11 @@ std::map<std::uint32_t, double> length_beside(const Extremal_mesh_edge& e, const
     const auto parts = std::max<std::size_t>(1, std::size_t(std::ceil(whole / (0.5 * tolerance))));
     for (std::size_t part = 0; part < parts; ++part) {
       std::set<std::uint32_t> near; // each edge once
-      finder.for_each(p + (double(part) + 0.5) / double(parts) * (q - p), tolerance, [&](const Segment_finder::Near& n) {
-        if (b.edge(n.edge).type == e.type)
-          near.insert(n.edge);
-      });
+      finder.for_each(p + (double(part) + 0.5) / double(parts) * (q - p), tolerance,
+                      [&](const Segment_finder::Near& n) {
+                        if (b.edge(n.edge).type == e.type)
+                          near.insert(n.edge);
+                      });
       for (const std::uint32_t f : near)
         beside[f] += whole / double(parts);
     }

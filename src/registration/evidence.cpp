@@ -23,8 +23,8 @@ double log10_tail(std::size_t m, std::size_t n, double p) {
   const auto log_factorial = [](std::size_t k) { return std::lgamma(double(k) + 1); };
   double sum = 0, first = 0;
   for (std::size_t k = m; k <= n; ++k) {
-    const double term = log_factorial(n) - log_factorial(k) - log_factorial(n - k) + double(k) * log_p +
-                        double(n - k) * log_q;
+    const double term =
+        log_factorial(n) - log_factorial(k) - log_factorial(n - k) + double(k) * log_p + double(n - k) * log_q;
     if (k == m)
       first = term;
     sum += std::exp(term - first); // the first is the greatest, if m is more than the mean
@@ -102,7 +102,8 @@ Registration_evidence gather_evidence(const Features& a, const Target& b, const 
   threads.for_each(trials.size(), 8,
                    [&](std::size_t i) { trials[i] = try_vertex(a.vertices[i], b, motion, options, angles[i]); });
   std::vector<Sample_trial> samples(a.samples.size());
-  threads.for_each(samples.size(), 32, [&](std::size_t i) { samples[i] = try_sample(a.samples[i], b, motion, options); });
+  threads.for_each(samples.size(), 32,
+                   [&](std::size_t i) { samples[i] = try_sample(a.samples[i], b, motion, options); });
 
   Registration_evidence evidence;
   double by_chance = 0;
@@ -140,8 +141,7 @@ std::string objection(const Registration_evidence& e, const Alignment& alignment
   // On smooth surfaces noise moves extremal points along flat extrema of the curvature, farther than the tolerance, but lines
   // stay on the surface. That tells a motion too, if the surface cannot slide along itself.
   const bool fixed = alignment.translation_error < 0.2 * tolerance && alignment.rotation_error < 0.02;
-  const bool by_vertices =
-      e.log10_significance < -6 && share >= 0.35 && share >= 2.5 * e.chance && e.on_surface >= 0.4;
+  const bool by_vertices = e.log10_significance < -6 && share >= 0.35 && share >= 2.5 * e.chance && e.on_surface >= 0.4;
   const bool by_surface =
       fixed && e.overlap >= 0.6 && e.on_surface >= 0.85 && e.on_surface >= 2 * e.on_surface_by_chance;
   if (by_vertices || by_surface)

@@ -12,8 +12,8 @@ namespace CGAL::Extremal_mesh_3 {
 
 struct Evidence_options {
   double tolerance = 0;
-  double reach = 0;      ///< the second mesh has lines within this distance of any point of its surface
-  double tried = 1;      ///< motions, of which this one was chosen
+  double reach = 0; ///< the second mesh has lines within this distance of any point of its surface
+  double tried = 1; ///< motions, of which this one was chosen
   unsigned seed = 1;
 };
 

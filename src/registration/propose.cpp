@@ -165,7 +165,8 @@ public:
   Point_tree<13>::Coordinates place_of(const Similarity& s) const {
     Point_tree<13>::Coordinates c{};
     std::size_t next = 0;
-    constexpr double turn = 0.1 * 1.4142135623730951; // of 6 degrees: the entries of a rotation by x change by √2·x in all
+    constexpr double turn =
+        0.1 * 1.4142135623730951; // of 6 degrees: the entries of a rotation by x change by √2·x in all
     for (const Vector& row : s.rotation)
       for (const double x : row)
         c[next++] = x / turn;

@@ -42,9 +42,8 @@ double tolerance_of(const Extremal_mesh& mesh) {
 
 /// how large a cell is, across.
 double cell_size(const Extremal_mesh& mesh) {
-  return mesh.number_of_cells() > 0
-             ? std::sqrt(std::max(0.0, mesh.surface().area) / double(mesh.number_of_cells()))
-             : 0;
+  return mesh.number_of_cells() > 0 ? std::sqrt(std::max(0.0, mesh.surface().area) / double(mesh.number_of_cells()))
+                                    : 0;
 }
 
 void require_in_range(const Registration_options& options) {
@@ -74,8 +73,8 @@ class Registrar {
 public:
   Registrar(const Extremal_mesh& a, const Extremal_mesh& b, const Registration_options& options)
       : a_(a), b_(b), options_(options), threads_(options.threads),
-        tolerance_(options.tolerance > 0 ? options.tolerance : default_tolerance(a, b)),
-        sigma_(parameter(b, "sigma")) {}
+        tolerance_(options.tolerance > 0 ? options.tolerance : default_tolerance(a, b)), sigma_(parameter(b, "sigma")) {
+  }
 
   Registration run() {
     Registration result;
@@ -165,12 +164,14 @@ private:
     std::vector<Candidate> all = candidates(a, b, tried);
     constexpr std::size_t finalists = 4;
     all.resize(std::min(all.size(), finalists));
-    while (!all.empty() && all.back().score < 0.6 * all.front().score) // far behind: it will not catch up
+    // What is far behind will not catch up; what is hopeless, with hardly more in its place than by chance, need not try.
+    constexpr double hopeless = 0.2;
+    while (all.size() > 1 && (all.back().score < 0.6 * all.front().score || all.back().score < hopeless))
       all.pop_back();
     Evidence_options evidence_options{tolerance_, reach(), tried, options_.seed};
     std::vector<Registration> refined;
     for (const Candidate& candidate : all) {
-      Alignment_options fine = alignment_options(4 * tolerance_, 1.5 * tolerance_);
+      Alignment_options fine = alignment_options(2 * tolerance_, 1.5 * tolerance_);
       fine.rounds = 30;
       const Alignment alignment = align(a, b, candidate.alignment.motion, fine, &threads_);
       Registration r;
@@ -261,7 +262,9 @@ double default_tolerance(const Extremal_mesh& a, const Extremal_mesh& b) {
   double tolerance = std::max(tolerance_of(a), tolerance_of(b));
   for (const Extremal_mesh* mesh : {&a, &b})
     if (mesh->number_of_vertices() > 0 && mesh->surface().area > 0)
-      tolerance = std::min(tolerance, 0.25 * std::sqrt(mesh->surface().area / double(std::min<std::size_t>(1500, mesh->number_of_vertices()))));
+      tolerance =
+          std::min(tolerance, 0.25 * std::sqrt(mesh->surface().area /
+                                               double(std::min<std::size_t>(1500, mesh->number_of_vertices()))));
   return tolerance;
 }
 

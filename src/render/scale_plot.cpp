@@ -95,9 +95,9 @@ void write_scale_plot(const std::string& file, const Scale_space& space, const s
     std::size_t Counts::*count;
   };
   double x = left;
-  for (const Curve& curve : {Curve{"extremal points", {31, 119, 180}, &Counts::extremal_points},
-                             Curve{"umbilics", {214, 39, 160}, &Counts::umbilics},
-                             Curve{"cells", {44, 160, 44}, &Counts::cells}}) {
+  for (const Curve& curve :
+       {Curve{"extremal points", {31, 119, 180}, &Counts::extremal_points},
+        Curve{"umbilics", {214, 39, 160}, &Counts::umbilics}, Curve{"cells", {44, 160, 44}, &Counts::cells}}) {
     Diagram::Dots dots{curve.name, curve.colour, {}};
     for (std::size_t i = 0; i < counts.size(); ++i) {
       dots.centres.push_back({axes.x(space.sigmas[i]), axes.y(double(counts[i].*curve.count))});

@@ -48,7 +48,8 @@ struct Distances {
 };
 
 std::array<Distances, 4> distances_of(const std::vector<Landmark_match>& matches) {
-  std::array<Distances, 4> all{{{"extremal_point", {}, {}}, {"umbilic", {}, {}}, {"line", {}, {}}, {"crest_line", {}, {}}}};
+  std::array<Distances, 4> all{
+      {{"extremal_point", {}, {}}, {"umbilic", {}, {}}, {"line", {}, {}}, {"crest_line", {}, {}}}};
   for (const Landmark_match& m : matches) {
     const std::array<double, 4> d{m.to_extremal_point, m.to_umbilic, m.to_line, m.to_crest_line};
     const std::array<double, 4> c{m.chance_extremal_point, m.chance_umbilic, m.chance_line, m.chance_crest_line};
@@ -105,8 +106,8 @@ int match(const Match_options& options) {
     std::string csv = "label,x,y,z,extremal_point,distance,umbilic,distance,line,distance,crest_line,distance\n";
     for (std::size_t i = 0; i < given.size(); ++i) {
       const Landmark_match& m = matches[i];
-      csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", given[i].label, fmt::join(given[i].point, ","), m.extremal_point,
-                         m.to_extremal_point, m.umbilic, m.to_umbilic, m.line, m.to_line,
+      csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", given[i].label, fmt::join(given[i].point, ","),
+                         m.extremal_point, m.to_extremal_point, m.umbilic, m.to_umbilic, m.line, m.to_line,
                          fmt::format("{},{}", m.crest_line, m.to_crest_line));
     }
     write_text_file(options.output, csv);

@@ -74,7 +74,9 @@ Json json_of(const Registration& r, const Extremal_mesh& a) {
 std::string text_of(const Registration& r) {
   const Registration_evidence& e = r.evidence;
   std::string text;
-  const auto line = [&](const char* name, const std::string& value) { text += fmt::format("{:<10} {}\n", name, value); };
+  const auto line = [&](const char* name, const std::string& value) {
+    text += fmt::format("{:<10} {}\n", name, value);
+  };
   line("motion", fmt::format("turns by {:.4g} degrees{}{}", degrees * rotation_angle(r.transform),
                              r.transform.scale == 1 ? "" : fmt::format(", scales by {:.6g}", r.transform.scale),
                              r.transform.mirrors() ? ", mirrored" : ""));
@@ -82,8 +84,8 @@ std::string text_of(const Registration& r) {
     line("", fmt::format("{:12.6f} {:12.6f} {:12.6f} {:12.6f}", row[0], row[1], row[2], row[3]));
   if (r.normals_reversed)
     line("normals", "reversed");
-  line("error", fmt::format("{:.2g} degrees, {:.2g} of length (standard)", degrees * r.rotation_error,
-                            r.translation_error));
+  line("error",
+       fmt::format("{:.2g} degrees, {:.2g} of length (standard)", degrees * r.rotation_error, r.translation_error));
   line("evidence", fmt::format("{} of {} vertices match, {:.1f} % by chance; {:.1f} % of the lines lie on the other "
                                "surface; overlap {:.0f} %",
                                e.matched, e.vertices, 100 * e.chance, 100 * e.on_surface, 100 * e.overlap));

@@ -28,7 +28,8 @@ CLI::Option* option(CLI::App* command, const char* name, Value& value, const cha
 }
 
 void add_register(CLI::App& app, std::function<int()>& run) {
-  const auto [c, o] = command(app, "register", "finds the motion that takes one extremal mesh to another", register_meshes, run);
+  const auto [c, o] =
+      command(app, "register", "finds the motion that takes one extremal mesh to another", register_meshes, run);
   option(c, "A", o->a, "", graph)->required();
   option(c, "B", o->b, "", graph)->required();
   option(c, "-o,--output", o->output, "FILE", "write the motion, its errors and the matched vertices (.json)");
@@ -44,19 +45,22 @@ void add_register(CLI::App& app, std::function<int()>& run) {
 }
 
 void add_compare(CLI::App& app, std::function<int()>& run) {
-  const auto [c, o] = command(app, "compare", "tells which part of one extremal mesh is found in another", compare, run);
+  const auto [c, o] =
+      command(app, "compare", "tells which part of one extremal mesh is found in another", compare, run);
   option(c, "A", o->a, "", graph)->required();
   option(c, "B", o->b, "", graph)->required();
   option(c, "--transform", o->transform, "FILE", "the motion from A to B, as 'register -o' wrote it (.json)");
   option(c, "--tolerance", o->tolerance, "MM", "how far apart the same points may be (the side of a voxel, or σ)");
-  option(c, "-o,--output", o->outputs, "FILE", "write the table (.csv .json .txt); repeatable")->allow_extra_args(false);
+  option(c, "-o,--output", o->outputs, "FILE", "write the table (.csv .json .txt); repeatable")
+      ->allow_extra_args(false);
   option(c, "--threads", o->threads, "N", "0: as many as there are cores (0)");
   c->add_flag("--json", o->json, "print one JSON object");
   c->footer("Example:\n  extremal_mesh compare before.graphml after.graphml --transform motion.json -o table.csv");
 }
 
 void add_landmarks(CLI::App& app, std::function<int()>& run) {
-  const auto [c, o] = command(app, "landmarks", "lists extremal points as landmarks, the strongest first", landmarks, run);
+  const auto [c, o] =
+      command(app, "landmarks", "lists extremal points as landmarks, the strongest first", landmarks, run);
   option(c, "GRAPH", o->file, "", graph)->required();
   option(c, "-o,--output", o->outputs, "FILE", "write them (.mrk.json for 3D Slicer, .csv); repeatable")
       ->allow_extra_args(false);
@@ -66,7 +70,8 @@ void add_landmarks(CLI::App& app, std::function<int()>& run) {
 }
 
 void add_match(CLI::App& app, std::function<int()>& run) {
-  const auto [c, o] = command(app, "match", "tells how near given landmarks are to extremal points and lines", match, run);
+  const auto [c, o] =
+      command(app, "match", "tells how near given landmarks are to extremal points and lines", match, run);
   option(c, "GRAPH", o->file, "", graph)->required();
   option(c, "LANDMARKS", o->landmarks, "", "files of landmarks (.mrk.json .csv)")->required();
   option(c, "--most", o->most, "N", "only the N strongest extremal points, and umbilics, count (all)");
@@ -76,7 +81,8 @@ void add_match(CLI::App& app, std::function<int()>& run) {
 }
 
 void add_scale_space(CLI::App& app, std::function<int()>& run) {
-  const auto [c, o] = command(app, "scale-space", "follows the extremal mesh of an image from scale to scale", scale_space, run);
+  const auto [c, o] =
+      command(app, "scale-space", "follows the extremal mesh of an image from scale to scale", scale_space, run);
   option(c, "IMAGE", o->file, "", "an image: .nrrd .nhdr .mha .mhd .nii .nii.gz .vtk")->required();
   option(c, "--iso", o->iso, "VALUE", "the value on the surface")->required();
   option(c, "--sigma", o->sigmas, "MM …", "the widths of the Gaussian")->required();
@@ -87,7 +93,8 @@ void add_scale_space(CLI::App& app, std::function<int()>& run) {
   option(c, "--graphs", o->folder, "FOLDER", "write the graphs there, as sigma_….graphml");
   option(c, "--threads", o->threads, "N", "0: as many as there are cores (0)");
   c->add_flag("--quiet", o->quiet, "print errors only");
-  c->footer("Example:\n  extremal_mesh scale-space skull.nii.gz --iso 300 --sigma 2 3 4 6 8 -o scales.csv --plot scales.svg");
+  c->footer(
+      "Example:\n  extremal_mesh scale-space skull.nii.gz --iso 300 --sigma 2 3 4 6 8 -o scales.csv --plot scales.svg");
 }
 
 } // namespace

@@ -49,7 +49,8 @@ int scale_space(const Scale_space_command_options& options) {
   if (is_mesh_file(options.file))
     throw Usage_error(fmt::format("'{}' is a mesh; a scale space is made of an image", options.file));
   if (options.output.empty() && options.plot.empty() && options.events.empty() && options.folder.empty())
-    throw Usage_error("there is nothing to write; give -o FILE.csv, --events FILE.csv, --plot FILE.svg or --graphs FOLDER");
+    throw Usage_error(
+        "there is nothing to write; give -o FILE.csv, --events FILE.csv, --plot FILE.svg or --graphs FOLDER");
   if (!options.plot.empty() && !options.plot.ends_with(".svg") && !options.plot.ends_with(".png"))
     throw Usage_error(fmt::format("the extension of '{}' is not known; give --plot an .svg or a .png", options.plot));
   for (const std::string* file : {&options.output, &options.plot, &options.events})

@@ -50,7 +50,8 @@ struct Comparison {
 
 /// compares two extremal meshes. O(n log n) for n points of polylines.
 /// \throws std::invalid_argument if the tolerance is negative or not finite, or a coordinate is not finite
-Comparison compare_extremal_meshes(const Extremal_mesh& a, const Extremal_mesh& b, const Comparison_options& options = {});
+Comparison compare_extremal_meshes(const Extremal_mesh& a, const Extremal_mesh& b,
+                                   const Comparison_options& options = {});
 
 /// \name Tables
 /// @{

@@ -31,10 +31,11 @@ struct Matched_vertices {
 
 /// How well a motion takes one mesh to the other, where they overlap.
 struct Registration_evidence {
-  std::size_t vertices = 0; ///< of the first mesh that were looked for: the most persistent ones, where the second one is
-  std::size_t matched = 0;  ///< of these, how many are at the place of one of the same kind
-  double chance = 0;        ///< the share that matches when the motion is slightly wrong
-  double overlap = 0;       ///< the share of the first mesh's lines that lies at the second one's surface
+  std::size_t vertices =
+      0; ///< of the first mesh that were looked for: the most persistent ones, where the second one is
+  std::size_t matched = 0; ///< of these, how many are at the place of one of the same kind
+  double chance = 0;       ///< the share that matches when the motion is slightly wrong
+  double overlap = 0;      ///< the share of the first mesh's lines that lies at the second one's surface
   /// of these, the share that is within a quarter of the tolerance of the surface; and when the motion is slightly wrong
   double on_surface = 0, on_surface_by_chance = 0;
   /// log10 of the probability that so many vertices match by chance, times the number of motions tried
@@ -52,7 +53,7 @@ struct Registration {
   Registration_evidence evidence;
   std::vector<Matched_vertices> matched; ///< all extremal points and umbilics, each at most once
   double rms = 0;                        ///< of their distances
-  double surface_rms = 0; ///< of the distances between the surfaces, on the lines, outliers apart
+  double surface_rms = 0;                ///< of the distances between the surfaces, on the lines, outliers apart
   /// \name Standard errors
   /// from the residuals, as far as they are independent of each other between blocks of a few tolerances
   /// @{
