@@ -31,8 +31,8 @@ struct Matched_vertices {
 
 /// How well a motion takes one mesh to the other, where they overlap.
 struct Registration_evidence {
-  std::size_t vertices =
-      0; ///< of the first mesh that were looked for: the most persistent ones, where the second one is
+  /// of the first mesh, how many were looked for: the most persistent ones, where the second one is
+  std::size_t vertices = 0;
   std::size_t matched = 0; ///< of these, how many are at the place of one of the same kind
   double chance = 0;       ///< the share that matches when the motion is slightly wrong
   double overlap = 0;      ///< the share of the first mesh's lines that lies at the second one's surface

@@ -53,8 +53,8 @@ struct Scale_space {
   std::vector<double> sigmas; ///< ascending
   std::vector<Scale_track> tracks;
   std::vector<Scale_event> events; ///< by level
-  std::vector<std::vector<std::uint32_t>>
-      track; ///< of each vertex of each level; `no_track` for other kinds of vertices
+  /// of each vertex of each level; `no_track` for other kinds of vertices
+  std::vector<std::vector<std::uint32_t>> track;
 
   /// ln(σ of the last level at which a vertex is found / σ of the first one): 0 if it is found at one only. No unit.
   std::vector<double> vertex_life_times(std::size_t level) const;
