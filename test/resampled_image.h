@@ -117,9 +117,12 @@ private:
   std::vector<double> line_;
 };
 
-/// the smallest lattice with the steps of the given one, and nodes where that would have some, that holds it when moved.
-inline Lattice lattice_around_moved(const Lattice& lattice, const surfaces::Motion& motion) {
-  const Lattice_index index(lattice);
+/// the smallest lattice with the given steps that holds the given one when moved, with a node where the first one's origin
+/// would have one.
+inline Lattice lattice_around_moved(const Lattice& lattice, const surfaces::Motion& motion,
+                                    const std::array<Vector, 3>& steps) {
+  const Lattice unbounded{lattice.origin, steps, {}};
+  const Lattice_index index(unbounded);
   Point low{}, high{};
   for (int c = 0; c < 8; ++c) {
     const auto end = [&](std::size_t a) { return (c >> a & 1) != 0 ? double(lattice.size[a] - 1) : 0; };
@@ -129,17 +132,18 @@ inline Lattice lattice_around_moved(const Lattice& lattice, const surfaces::Moti
       high[a] = c == 0 ? std::ceil(x[a]) : std::max(high[a], std::ceil(x[a]));
     }
   }
-  Lattice around{lattice.node(low[0], low[1], low[2]), lattice.step, {}};
+  Lattice around{unbounded.node(low[0], low[1], low[2]), steps, {}};
   for (std::size_t a = 0; a < 3; ++a)
     around.size[a] = std::size_t(high[a] - low[a]) + 1;
   return around;
 }
 
-/// the image, moved; `outside` where it does not reach.
-inline Image moved(const Image& image, const surfaces::Motion& motion, float outside) {
+/// the image, moved, on a lattice with the given steps; `outside` where it does not reach.
+inline Image moved(const Image& image, const surfaces::Motion& motion, float outside,
+                   const std::array<Vector, 3>& steps) {
   const Cubic_interpolation value(image);
   const Lattice_index index(image.lattice);
-  Image result{lattice_around_moved(image.lattice, motion), {}};
+  Image result{lattice_around_moved(image.lattice, motion, steps), {}};
   const auto [nx, ny, nz] = result.lattice.size;
   result.voxels.reserve(nx * ny * nz);
   for (std::size_t k = 0; k < nz; ++k)
@@ -152,6 +156,35 @@ inline Image moved(const Image& image, const surfaces::Motion& motion, float out
         result.voxels.push_back(inside ? float(value(p)) : outside);
       }
   return result;
+}
+
+/// the image, moved; its lattice keeps the steps.
+inline Image moved(const Image& image, const surfaces::Motion& motion, float outside) {
+  return moved(image, motion, outside, image.lattice.step);
+}
+
+/// steps of another spacing in another order: the axes exchanged cyclically, one reversed, voxels of about the same volume.
+inline std::array<Vector, 3> other_steps(const Lattice& lattice) {
+  const auto& s = lattice.step;
+  const auto scaled = [](double factor, const Vector& v) { return surfaces::along({0, 0, 0}, factor, v); };
+  return {scaled(1.1, s[2]), scaled(-0.95, s[0]), scaled(1.05, s[1])};
+}
+
+/// the part of an image whose nodes have the indices [low, high) along an axis.
+inline Image slab(const Image& image, std::size_t axis, std::size_t low, std::size_t high) {
+  Image part{image.lattice, {}};
+  std::array<std::size_t, 3> first{};
+  first[axis] = low;
+  part.lattice.origin = image.lattice.node(double(first[0]), double(first[1]), double(first[2]));
+  part.lattice.size[axis] = high - low;
+  const auto& n = image.lattice.size;
+  const auto& m = part.lattice.size;
+  part.voxels.reserve(m[0] * m[1] * m[2]);
+  for (std::size_t k = 0; k < m[2]; ++k)
+    for (std::size_t j = 0; j < m[1]; ++j)
+      for (std::size_t i = 0; i < m[0]; ++i)
+        part.voxels.push_back(image.voxels[first[0] + i + n[0] * (first[1] + j + n[1] * (first[2] + k))]);
+  return part;
 }
 
 /// adds noise that is Gaussian but for its far tails: a sum of twelve uniform numbers, which is the same on all

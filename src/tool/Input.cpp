@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace CGAL::Extremal_mesh_3::tool {
@@ -87,6 +88,9 @@ Input image_input(const Extract_options& options) {
                     ".stl .om); an image needs the value that its surface has; give --iso VALUE",
                     options.input));
   Image image = read_image(options.input);
+  double voxel = 0; // its largest side: what registration takes for the same place
+  for (const Vector& step : image.lattice.step)
+    voxel = std::max(voxel, std::hypot(step[0], step[1], step[2]));
   Progress_bar bar("smoothing", options.quiet);
   Image_function_options image_options;
   image_options.iso = *options.iso;
@@ -100,7 +104,7 @@ Input image_input(const Extract_options& options) {
   input.lattice = function->lattice();
   input.source = options.input;
   input.frame = "LPS";
-  input.parameters = {{"image", options.input}, {"iso", *options.iso}, {"sigma", function->sigma()}};
+  input.parameters = {{"image", options.input}, {"iso", *options.iso}, {"sigma", function->sigma()}, {"voxel", voxel}};
   input.function = std::move(function);
   return input;
 }

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The command line. CLI11 takes long to compile and is included here only.
+// The command line. CLI11 takes long to compile and is included here and in registration_commands.cpp only.
 #include "commands.h"
+#include "registration_commands.h"
 
 #include <CGAL/Extremal_mesh_3/errors.h>
 #include <CGAL/Extremal_mesh_3/select.h>
@@ -181,6 +182,7 @@ int run(int argc, char** argv) {
   add_simplify(app, simplify_options, command);
   tool::Query_options query_options;
   add_query(app, query_options, command);
+  tool::add_registration_commands(app, command);
   try {
     app.parse(arguments(argc, argv));
   } catch (const CLI::Success& success) { // help or version
@@ -189,7 +191,7 @@ int run(int argc, char** argv) {
     return tell(fmt::format("{}; 'extremal_mesh --help' shows how to call it", error.what()), tool::usage);
   }
   if (!command)
-    return tell("there is no command; give extract, info, check, simplify or query", tool::usage);
+    return tell("there is no command; give extract, info, check, simplify, query, register, compare, landmarks, match or scale-space", tool::usage);
   const int code = command();
   if (std::fflush(stdout) != 0)
     return tell("the output cannot be written; is the disk full?", tool::failure);

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_EXTREMAL_MESH_3_SCALE_SPACE_H
+#define CGAL_EXTREMAL_MESH_3_SCALE_SPACE_H
+
+#include <CGAL/Extremal_mesh_3/Extremal_mesh.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CGAL::Extremal_mesh_3 {
+
+/// What becomes of a vertex from a scale to the next coarser one.
+enum class Scale_event_kind : std::uint8_t {
+  create, ///< it is there at the coarser scale only
+  cancel, ///< it is there at the finer scale only, and so is another one of opposite index beside it
+  merge,  ///< it is there at the finer scale only, beside one that stays
+  vanish  ///< it is there at the finer scale only, and nothing is near that would tell why
+};
+std::string_view to_string(Scale_event_kind);
+
+inline constexpr std::uint32_t no_track = std::numeric_limits<std::uint32_t>::max();
+
+/// Something that happens between the scales `level` and `level + 1`.
+struct Scale_event {
+  Scale_event_kind kind = Scale_event_kind::create;
+  std::size_t level = 0;
+  std::uint32_t track = 0;
+  std::uint32_t other = no_track; ///< the track that it cancels or merges with
+  Point point{};
+};
+
+/// An extremal point or umbilic through the scales at which it is found.
+struct Scale_track {
+  Vertex_kind kind = Vertex_kind::extremal_point;
+  std::size_t first_level = 0;
+  std::vector<std::uint32_t> vertices; ///< one per level from the first one on
+  std::size_t last_level() const { return first_level + vertices.size() - 1; }
+};
+
+struct Scale_space_options {
+  /// how far a vertex may move from a scale to the next, plus half of the difference of the two σ, which is what a feature moves when
+  /// its surroundings change by that. 0: `default_tolerance()`
+  double tolerance = 0;
+};
+
+/// The extremal meshes of one surface at several scales, with what belongs together.
+struct Scale_space {
+  std::vector<double> sigmas; ///< ascending
+  std::vector<Scale_track> tracks;
+  std::vector<Scale_event> events; ///< by level
+  /// of each vertex of each level; `no_track` for other kinds of vertices
+  std::vector<std::vector<std::uint32_t>> track;
+
+  /// ln(σ of the last level at which a vertex is found / σ of the first one): 0 if it is found at one only. No unit.
+  std::vector<double> vertex_life_times(std::size_t level) const;
+  /// the same for each edge of a level: at how many levels before and after edges of its family join the same two tracks.
+  std::vector<double> edge_life_times(const std::vector<Extremal_mesh>& meshes, std::size_t level) const;
+};
+
+/// links the vertices of each mesh with those of the next one: each the other's nearest of the same kind and index, not farther apart
+/// than the tolerance. O(n log n).
+/// \param sigmas  of the meshes, strictly ascending
+/// \throws std::invalid_argument if there are not as many σ as meshes, or they do not ascend
+Scale_space link_scales(const std::vector<Extremal_mesh>& meshes, std::vector<double> sigmas,
+                        const Scale_space_options& options = {});
+
+/// \name Files
+/// @{
+/// writes one row per level: σ, how many extremal points, umbilics, edges and cells, and how many of the vertices are new, stay, and end.
+/// \throws Io_error
+void write_scale_counts(const std::string& file, const Scale_space& space, const std::vector<Extremal_mesh>& meshes);
+/// writes one row per event. \throws Io_error
+void write_scale_events(const std::string& file, const Scale_space& space);
+/// draws the numbers of extremal points, umbilics and cells against σ, as `.svg` or `.png`.
+/// \throws Io_error; std::invalid_argument for another extension
+void write_scale_plot(const std::string& file, const Scale_space& space, const std::vector<Extremal_mesh>& meshes);
+/// @}
+
+} // namespace CGAL::Extremal_mesh_3
+
+#endif // CGAL_EXTREMAL_MESH_3_SCALE_SPACE_H
