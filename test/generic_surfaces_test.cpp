@@ -122,6 +122,28 @@ TEST_P(Generic_surfaces, need_no_guess) {
   }
 }
 
+TEST_P(Generic_surfaces, are_proved_to_have_no_vertices_where_none_was_found) {
+  const surfaces::Box box = surface().box({});
+  const Lattice lattice = surfaces::lattice_around(f, box, 32);
+  Extraction_options options;
+  const Extraction plain = extract_extremal_mesh(f, lattice, options);
+  options.certify = true;
+  const Extraction proved = extract_extremal_mesh(f, lattice, options);
+  EXPECT_TRUE(isomorphic(plain.mesh, proved.mesh));
+  EXPECT_FALSE(plain.report.certified);
+  EXPECT_TRUE(proved.report.certified);
+  EXPECT_EQ(plain.report.refined_cells, proved.report.refined_cells);
+  // The cells that hold vertices cannot be among them. Most others are: boxes around the smallest cells, beside umbilics,
+  // are too large for the rest.
+  const std::size_t cells = proved.report.proved_empty_cells + proved.report.proved_vertex_free_cells;
+  EXPECT_LE(cells + surface().counts.extremal_points + surface().counts.umbilics, proved.report.accepted_cells);
+  EXPECT_GT(proved.report.proved_empty_cells, 0U);
+  EXPECT_GT(double(cells), 0.75 * double(proved.report.accepted_cells));
+  // What cannot be bounded is not proved.
+  const Moved_function moved(f, {});
+  EXPECT_FALSE(extract_extremal_mesh(moved, lattice, options).report.certified);
+}
+
 TEST_P(Generic_surfaces, have_lines_of_their_family_between_cells_of_the_sign_of_E_g) {
   const Extraction extraction = extract({}, 32);
   const Extremal_mesh& mesh = extraction.mesh;

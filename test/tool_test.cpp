@@ -320,6 +320,7 @@ TEST_F(Tool, wrong_command_lines_exit_with_2) {
   refusal("extract a.nrrd --iso 3 --resolution 8", 2);
   refusal("extract a.nrrd --iso 3 --mesher cgal", 2);
   refusal("extract a.nrrd --iso 3 --radius 1", 2);
+  refusal("extract a.off --certify", 2);
   refusal(ellipsoid + "--rings 3", 2);
   refusal(ellipsoid + "--weld 3", 2);
   refusal(ellipsoid + "--threads -1", 2);

@@ -20,9 +20,9 @@ bool finite(const Local_shape& s) {
 std::optional<Sample> Implicit_surface::sample(const Point& x, const Vector& direction, double reach,
                                                double accuracy) const {
   // Newton along the line. All derivatives are taken where the step to the surface is within the accuracy; as steps
-  // shrink quadratically, the step before tells when that will be. The guess x is often good enough by itself.
+  // shrink quadratically, the step before tells when that will be. To look the guess x is often good enough by itself.
   Derivatives d;
-  double s = 0, expected = 0, last = reach;
+  double s = 0, expected = accuracy < to_look ? reach : 0, last = reach;
   for (int i = 0; i < 25; ++i) {
     const Point p = x + s * direction;
     const bool all = expected < accuracy * reach;

@@ -12,6 +12,7 @@
 #include "Line_tracer.h"
 #include "Refined_complex.h"
 #include "Regions.h"
+#include "certify.h"
 #include "degeneracy.h"
 #include "nudge.h"
 
@@ -168,7 +169,8 @@ std::optional<Shaped_cells> without_unknown(const Cell_complex& cells, const Ver
 
 /// divides the cells, draws the lines across them, and gathers the mesh that they make.
 /// \param samples  at the points of the cells
-Extraction extract(const Surface& surface, const Cell_complex& cells, std::vector<Sample> samples,
+/// \param f  the function whose surface it is, if there is one
+Extraction extract(const Surface& surface, const Function_3* f, const Cell_complex& cells, std::vector<Sample> samples,
                    const Degeneracy& degeneracy, const Extraction_options& options) {
   Refined_complex complex(surface, cells, std::move(samples), degeneracy.cells, options);
   complex.refine();
@@ -186,6 +188,12 @@ Extraction extract(const Surface& surface, const Cell_complex& cells, std::vecto
     info.area += cell.area;
   info.degenerate_area = degeneracy.area;
   result.report = complex.report();
+  if (options.certify && f && f->bounds_cost() != Bounds_cost::unknown) {
+    const Certificate certificate = certify(*f, complex, options.threads);
+    result.report.certified = true;
+    result.report.proved_empty_cells = certificate.without_lines;
+    result.report.proved_vertex_free_cells = certificate.without_vertices;
+  }
   result.report.line_segments = arrangement.number_of_segments();
   result.report.straight_segments = arrangement.number_of_straight_segments();
   result.report.degenerate_cells = std::size_t(std::count(degeneracy.cells.begin(), degeneracy.cells.end(), char(1)));
@@ -204,7 +212,7 @@ Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells,
   std::vector<Sample> samples = sample_corners(surface, cells, pool);
   const Degeneracy degeneracy = find_degeneracy(surface, cells, samples, pool);
   require_generic(degeneracy);
-  return extract(surface, cells, std::move(samples), degeneracy, options);
+  return extract(surface, &f, cells, std::move(samples), degeneracy, options);
 }
 
 Extraction extract_extremal_mesh(const Cell_complex& cells, const Vertex_shapes& shapes,
@@ -231,7 +239,7 @@ Extraction extract_extremal_mesh(const Cell_complex& cells, const Vertex_shapes&
     degeneracy.cells.assign(generic.cell.size(), 0);
   }
   nudge_corners(surface, *rest, samples, pool);
-  Extraction result = extract(surface, *rest, std::move(samples), degeneracy, options);
+  Extraction result = extract(surface, nullptr, *rest, std::move(samples), degeneracy, options);
   result.report.surface_points = cells.points.size();
   result.report.surface_cells = cells.number_of_cells();
   result.report.unknown_cells = cells.number_of_cells() - known_cells;

@@ -114,6 +114,8 @@ Input mesh_input(const Extract_options& options) {
     throw Usage_error(
         "--box, --resolution, --mesher, --iso and --sigma are for formulas and images; a mesh is taken as "
         "it is");
+  if (options.certify)
+    throw Usage_error("--certify is for formulas and images; what lies between the vertices of a mesh is not known");
   if (options.line_tolerance)
     throw Usage_error(
         "--line-tolerance is for formulas and images; the lines on a mesh are straight between its edges");

@@ -79,6 +79,7 @@ int extract(const Extract_options& options) {
   extraction_options.max_line_level =
       options.max_line_level.value_or(input.max_line_level.value_or(extraction_options.max_level));
   extraction_options.line_tolerance = options.line_tolerance.value_or(0);
+  extraction_options.certify = extraction_options.prove_surface = options.certify;
   extraction_options.patches = outputs.need_patches();
   Result result;
   if (input.function)

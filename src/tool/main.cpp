@@ -84,6 +84,8 @@ void add_extract(CLI::App& app, tool::Extract_options& options, std::function<in
          "the same where only the course of a line is uncertain (as --max-level; images 2)");
   option("--line-tolerance", options.line_tolerance, "LENGTH",
          "formulas and images: how far the lines may be from what is written of them (0: as the polygons make it)");
+  command->add_flag("--certify", options.certify,
+                    "formulas: prove what cells hold, and count them (takes long); images: prove the surface's topology");
   command->footer("Example:\n  extremal_mesh extract --formula \"x^2/9+y^2/4+z^2-1\" --box -4 -3 -2 4 3 2 "
                   "-o ellipsoid.graphml -o ellipsoid.png\n"
                   "  extremal_mesh extract skull.nii.gz --iso 300 --sigma 1.5 -o skull.graphml --report skull.json\n"

@@ -123,6 +123,10 @@ std::string summary_text(const Extremal_mesh& mesh, const std::vector<Check>& ch
   if (report)
     text += certainty_text(report->surface) +
             line("uncertain", report->uncertain_cells, fmt::format("of {} surface cells", report->refined_cells));
+  if (report && report->certified)
+    text += line("proved", report->proved_empty_cells + report->proved_vertex_free_cells,
+                 fmt::format("{} without lines, {} more without vertices", report->proved_empty_cells,
+                             report->proved_vertex_free_cells));
 
   std::string violated;
   std::size_t applicable = 0;

@@ -27,6 +27,9 @@ struct Extraction_options {
   /// prove the shape of the surface although bounds of the function take long: with images. Where they do not, with
   /// formulas, it is always proved
   bool prove_surface = false;
+  /// prove by interval arithmetic what cells hold, as far as the function can be bounded (formulas), and report for how many that
+  /// succeeds. It changes nothing else, and takes many times as long as the extraction
+  bool certify = false;
   /// how far a line may be from its polyline, in the input's unit of length; 0: the lines have a point on each edge of the
   /// divided cells, and as many as that makes. Surfaces that are known at points only have lines with a corner on each edge anyway
   double line_tolerance = 0;
@@ -61,6 +64,10 @@ struct Extraction_report {
   std::size_t refined_cells = 0;      ///< cells after subdivision
   std::size_t accepted_cells = 0;     ///< cells whose configuration passed every test
   std::size_t uncertain_cells = 0;    ///< cells taken as they were at the finest level
+  bool certified = false;             ///< proofs were asked for, and the function could be bounded
+  std::size_t proved_empty_cells = 0; ///< accepted cells without lines in which it is proved that E_g has no zero
+  /// further accepted cells without vertices, with lines or without, in which it is proved that there is no extremal point and no umbilic
+  std::size_t proved_vertex_free_cells = 0;
   std::size_t interpolated_points = 0; ///< points that could not be placed on the surface itself
   std::size_t degenerate_cells = 0;   ///< initial cells in which E_g = 0 up to rounding
   /// initial cells with a corner at which no jet could be fitted, or one that contradicts the cells
