@@ -13,11 +13,11 @@ using namespace CGAL::Extremal_mesh_3;
 
 namespace {
 
+using generic_surfaces::all_surfaces;
+using generic_surfaces::Surface;
 using graph_comparison::isomorphic;
 using graph_comparison::largest_distance;
 using graph_comparison::positions;
-using generic_surfaces::all_surfaces;
-using generic_surfaces::Surface;
 using surfaces::Motion;
 using surfaces::Moved_function;
 

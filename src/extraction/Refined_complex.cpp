@@ -161,8 +161,9 @@ void Refined_complex::divide_edges(const std::vector<Edge_cut>& cuts) {
 /// of the cuts of one edge the first is made.
 void Refined_complex::cut_edges(std::vector<Edge_cut> cuts) {
   std::stable_sort(cuts.begin(), cuts.end(), [](const Edge_cut& a, const Edge_cut& b) { return a.edge < b.edge; });
-  cuts.erase(std::unique(cuts.begin(), cuts.end(), [](const Edge_cut& a, const Edge_cut& b) { return a.edge == b.edge; }),
-             cuts.end());
+  cuts.erase(
+      std::unique(cuts.begin(), cuts.end(), [](const Edge_cut& a, const Edge_cut& b) { return a.edge == b.edge; }),
+      cuts.end());
   const std::size_t first = edges_.size();
   divide_edges(cuts);
   settle_edges(first);

@@ -138,7 +138,7 @@ bool families_differ(const std::vector<Border_crossing>& c, std::size_t offset) 
 
 /// What the samples of a cell say of it.
 struct Judgement {
-  bool known = false; ///< P and Q have as many zeros as their windings say
+  bool known = false;          ///< P and Q have as many zeros as their windings say
   bool may_be_umbilic = false; ///< Q may vanish
   Content content = Content::undecided;
   Linear_field P, Q; ///< of an umbilic: the gradients of the models, in the basis of the middle

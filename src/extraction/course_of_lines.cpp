@@ -67,7 +67,8 @@ class Course {
 public:
   Course(const Refined_complex& complex, const std::vector<Half_edge>& border, const Border_crossings& met,
          const Flat_cell& flat, const std::vector<double>& phase, int most_edge_level)
-      : complex_(complex), border_(border), met_(met), phase_(phase.begin(), phase.begin() + std::ptrdiff_t(border.size())), most_edge_level_(most_edge_level),
+      : complex_(complex), border_(border), met_(met),
+        phase_(phase.begin(), phase.begin() + std::ptrdiff_t(border.size())), most_edge_level_(most_edge_level),
         model_(flat) {
     for (std::size_t i = 0; i < border.size(); ++i)
       corner_.push_back(flat.points.z[i] / model_.scale());
@@ -82,8 +83,8 @@ public:
     const bool border = border_is_certain(cuts);
     // Where lines seem to cross beside the border, cuts would pull corners towards the crossing: it would stay there.
     if (!cuts.empty() && (no_closed_line || std::none_of(critical.begin(), critical.end(), [&](const auto& c) {
-          return c.saddle && is_on_level(c) && !is_well_inside(c.z);
-        }))) {
+                            return c.saddle && is_on_level(c) && !is_well_inside(c.z);
+                          }))) {
       course.cuts = std::move(cuts);
       return course;
     }
@@ -92,7 +93,9 @@ public:
   }
 
 private:
-  Complex on_edge(std::size_t i, double t) const { return (1 - t) * corner_[i] + t * corner_[(i + 1) % corner_.size()]; }
+  Complex on_edge(std::size_t i, double t) const {
+    return (1 - t) * corner_[i] + t * corner_[(i + 1) % corner_.size()];
+  }
 
   /// The phase along an edge at steps of 1/steps, lifted from the one at its first end.
   static constexpr int steps = 12;
@@ -124,12 +127,13 @@ private:
                            (k + 1 == steps && 2 * std::abs(on) < std::abs(rise));
         if (!turns)
           continue;
-        const double turned = (rise < 0) != (on < 0) ? (rise < 0 ? -1 : 1)
-                              : 2 * std::abs(rise) < std::abs(on) ? (on < 0 ? 1 : -1) : (rise < 0 ? -1 : 1);
+        const double turned = (rise < 0) != (on < 0)              ? (rise < 0 ? -1 : 1)
+                              : 2 * std::abs(rise) < std::abs(on) ? (on < 0 ? 1 : -1)
+                                                                  : (rise < 0 ? -1 : 1);
         const Complex base = std::polar(1.0, -phases[k]);
-        const double t = place_of_maximum(
-            [&](double at) { return turned * std::arg(model_.phi(on_edge(i, at)) * base); },
-            double(k == 1 ? 0 : k - 1) / steps, double(k + 1 == steps ? steps : k + 1) / steps, 25);
+        const double t =
+            place_of_maximum([&](double at) { return turned * std::arg(model_.phi(on_edge(i, at)) * base); },
+                             double(k == 1 ? 0 : k - 1) / steps, double(k + 1 == steps ? steps : k + 1) / steps, 25);
         const double extreme = phases[k] + std::arg(model_.phi(on_edge(i, t)) * base);
         certain &= distance_to_level(extreme) > rounding + model_.phase_error(on_edge(i, t));
         crossed += levels_between(before, extreme);
@@ -177,11 +181,10 @@ private:
           std::any_of(found.begin(), found.end(), [&](const auto& c) { return std::abs(c.z - z) < apart; }))
         continue;
       // Lifted from the nearest corner, from where it turns little.
-      const auto nearest = std::min_element(corner_.begin(), corner_.end(), [&](Complex a, Complex b) {
-        return std::abs(a - z) < std::abs(b - z);
-      });
-      const double phase = phase_[std::size_t(nearest - corner_.begin())] +
-                           std::arg(model_.phi(z) * std::conj(model_.phi(*nearest)));
+      const auto nearest = std::min_element(corner_.begin(), corner_.end(),
+                                            [&](Complex a, Complex b) { return std::abs(a - z) < std::abs(b - z); });
+      const double phase =
+          phase_[std::size_t(nearest - corner_.begin())] + std::arg(model_.phi(z) * std::conj(model_.phi(*nearest)));
       found.push_back({z, phase, model_.slopes(z).hessian() < 0});
     }
     return found;
@@ -309,10 +312,10 @@ private:
       const auto below = [&, s = sign](Complex z) { return -std::arg(s * model_.phi(z)); };
       const std::size_t rise = met_.crossings[c[0]].rising ? 0 : 1; // above between c[rise] and the next
       const auto at = [&](std::size_t k) { return c[(rise + k) % 4]; };
-      const double up = clearance_along(best_between(at(0), at(1), above).best,
-                                        best_between(at(2), at(3), above).best, above);
-      const double down = clearance_along(best_between(at(1), at(2), below).best,
-                                          best_between(at(3), at(0), below).best, below);
+      const double up =
+          clearance_along(best_between(at(0), at(1), above).best, best_between(at(2), at(3), above).best, above);
+      const double down =
+          clearance_along(best_between(at(1), at(2), below).best, best_between(at(3), at(0), below).best, below);
       joined = std::int8_t((up > down) == (level % 2 == 0) ? 1 : -1);
       if ((up > 0) == (down > 0))
         return false;

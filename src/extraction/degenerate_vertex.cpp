@@ -106,8 +106,8 @@ int crossings_of_copy(const Refined_complex& complex, const std::vector<Half_edg
 }
 
 /// tells whether everything that crosses the border of a cell leads straight to a point in it.
-bool is_center_of_star(const Refined_complex& complex, const std::vector<Half_edge>& border, const Border_crossings& met,
-                       const Sample& center, const Sample& middle, double size) {
+bool is_center_of_star(const Refined_complex& complex, const std::vector<Half_edge>& border,
+                       const Border_crossings& met, const Sample& center, const Sample& middle, double size) {
   double turn = 0;
   for (const Half_edge h : border) {
     const auto at = [&](std::uint32_t v) {
