@@ -35,7 +35,7 @@ constexpr double clearance = 2.0;
 constexpr double gradient_error = 12.0;
 
 /// Cells that were divided so often are looked at for what never ends to ask for more.
-constexpr int level_of_symmetry = 5;
+constexpr int level_of_symmetry = 3;
 
 /// What is known of a field in a cell.
 struct Field_state {
@@ -114,6 +114,11 @@ bool lines_are_certain(const Refined_complex& complex, const std::vector<Half_ed
     for (const Border_crossing& c : met.crossings)
       levels.push_back(c.level);
     std::sort(levels.begin(), levels.end());
+    // A side of a line that hardly rises over the error may be the tip of something that goes on inside.
+    const auto [least, greatest] = std::minmax_element(phase.begin(), phase.begin() + std::ptrdiff_t(border.size()));
+    if (!levels.empty() &&
+        (pi * levels.front() - *least < fit.residual || *greatest - pi * levels.back() < fit.residual))
+      return false;
     for (std::size_t i = 0; i + 2 < levels.size(); ++i)
       if (levels[i] == levels[i + 2])
         return false;

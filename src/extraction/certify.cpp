@@ -8,6 +8,7 @@
 
 #include "../cells/parallel.h"
 #include "../differential/vector.h"
+#include "../functions/sharp_bounds.h"
 
 #include <CGAL/Extremal_mesh_3/internal/interval_arithmetic.h>
 
@@ -126,7 +127,7 @@ public:
       return Proof::none;
     if (excludes_zero(d.value) || d.value.is_empty())
       return Proof::no_line;
-    f_.bounds(box, 3, d);
+    internal::sharp_bounds(f_, box, 3, d);
     const Shape_bounds s = shape_bounds(d, middle_);
     Proof here = Proof::none;
     if (s.known) {

@@ -277,11 +277,25 @@ private:
       }
       for (int i = 1; i <= between; ++i) { // it must not jump over what lies between
         const Complex z = last + double(i) / between * (at(offset) - last);
+        if (k > 0 && k < stations && !is_inside(z))
+          return outside;
         least = std::min(least, height(z) - model_.phase_error(z) - rounding);
       }
       last = at(offset);
     }
     return least;
+  }
+
+  /// tells whether the border rises and falls far enough over and under a level. If not, what is beyond it may be the tip
+  /// of something that goes on inside.
+  bool both_sides_are_clear(std::int32_t level) const {
+    bool above = false, below = false;
+    for (std::size_t i = 0; i < corner_.size(); ++i) {
+      const double height = phase_[i] - pi * level, error = model_.phase_error(corner_[i]);
+      above = above || height > error;
+      below = below || -height > error;
+    }
+    return above && below;
   }
 
   /// tells whether crossings can be joined in one way only; where four of one level can in two, finds which.
@@ -295,8 +309,11 @@ private:
     }
     bool one = false;
     for (const auto& [level, c] : of_level) {
-      if (c.size() == 2)
+      if (c.size() == 2) {
+        if (!both_sides_are_clear(level))
+          return false;
         continue;
+      }
       if (c.size() != 4 || one)
         return false;
       one = true;
@@ -312,12 +329,16 @@ private:
       const auto below = [&, s = sign](Complex z) { return -std::arg(s * model_.phi(z)); };
       const std::size_t rise = met_.crossings[c[0]].rising ? 0 : 1; // above between c[rise] and the next
       const auto at = [&](std::size_t k) { return c[(rise + k) % 4]; };
-      const double up =
-          clearance_along(best_between(at(0), at(1), above).best, best_between(at(2), at(3), above).best, above);
-      const double down =
-          clearance_along(best_between(at(1), at(2), below).best, best_between(at(3), at(0), below).best, below);
+      const std::array<Interval, 4> sides{best_between(at(0), at(1), above), best_between(at(1), at(2), below),
+                                          best_between(at(2), at(3), above), best_between(at(3), at(0), below)};
+      const double up = clearance_along(sides[0].best, sides[2].best, above);
+      const double down = clearance_along(sides[1].best, sides[3].best, below);
       joined = std::int8_t((up > down) == (level % 2 == 0) ? 1 : -1);
-      if ((up > 0) == (down > 0))
+      // A side that hardly rises over the error says nothing: a path may pass it by unseen.
+      const bool clear = std::all_of(sides.begin(), sides.end(), [&](const Interval& side) {
+        return side.height > 2 * model_.phase_error(side.best);
+      });
+      if (!clear || (up > 0) == (down > 0))
         return false;
     }
     return true;
