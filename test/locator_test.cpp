@@ -103,13 +103,15 @@ TEST(Line_locator, finds_the_cells_of_points_on_surfaces) {
   }
 }
 
-// Where cells are narrower than the polygons' distance from the surface, their points can lie beyond the next line.
+// Where cells are narrower than the polygons' distance from the surface, their points can lie beyond the next line. Two lines
+// that run beside each other may pass through one polygon: with polygons that coarse 1 or 2 of 10 000 points do (at a
+// lower resolution, 48, it is 2 of 1000).
 TEST(Line_locator, is_hardly_ever_wrong_where_cells_are_narrow) {
   const Extraction extraction =
-      with_patches(random_surfaces::double_torus(1), make_lattice({-1.3, -0.9, -0.6}, {1.3, 0.9, 0.6}, 48));
+      with_patches(random_surfaces::double_torus(1), make_lattice({-1.3, -0.9, -0.6}, {1.3, 0.9, 0.6}, 64));
   const Found found = find_by_lines(extraction.mesh, extraction.patches);
-  EXPECT_GT(found.samples, 50000U);
-  EXPECT_LE(found.wrong, found.samples / 10000);
+  EXPECT_GT(found.samples, 40000U);
+  EXPECT_LE(found.wrong, found.samples / 5000);
   EXPECT_EQ(found.right + found.wrong, found.samples);
 }
 

@@ -26,8 +26,11 @@ void join_pairs(const Border_crossings& met, int joined, std::vector<int>& partn
     std::map<std::int32_t, std::vector<std::size_t>> of_level;
     for (std::size_t i = 0; i < met.crossings.size(); ++i)
       of_level[met.crossings[i].level].push_back(i);
+    // Two such levels could be joined so that their lines cross: then, in cells that are not certain, neither is.
+    const auto fours =
+        std::count_if(of_level.begin(), of_level.end(), [](const auto& x) { return x.second.size() == 4; });
     for (const auto& [level, c] : of_level) {
-      if (c.size() != 4)
+      if (c.size() != 4 || fours != 1)
         continue;
       // Between crossing c[i] and the next one E_g is positive if the phase rises from an even level.
       const bool positive = met.crossings[c[0]].rising == (level % 2 == 0);
