@@ -56,8 +56,11 @@ void expect_good_levels(const Extremal_mesh& given, std::size_t every = 1) {
   same_mesh::expect_same(simplification.mesh_at(0), given);
 }
 
+/// Persistence is an integral along lines, which is as exact as they are fine.
 Extremal_mesh extract(const Function_3& f, const surfaces::Box& box, std::size_t resolution) {
-  return extract_extremal_mesh(f, make_lattice(box.low, box.high, resolution)).mesh;
+  Extraction_options options;
+  options.line_tolerance = 2e-5 * box.size();
+  return extract_extremal_mesh(f, make_lattice(box.low, box.high, resolution), options).mesh;
 }
 
 std::size_t number_of_four_sided_cells(const Extremal_mesh& mesh) {
@@ -238,7 +241,8 @@ TEST(Simplification, of_a_moved_mesh_is_the_moved_one) {
     for (std::size_t i = 0; i < moved.steps().size(); ++i) {
       const Simplification_step &x = reference.steps()[i], &y = moved.steps()[i];
       EXPECT_EQ(x.operation, y.operation) << i;
-      EXPECT_NEAR(x.persistence, y.persistence, 1e-6 * x.persistence) << i;
+      // Where extremal points lie within rounding of each other, persistence, of the order of 1 for shape, is rounding, too.
+      EXPECT_NEAR(x.persistence, y.persistence, 1e-6 * x.persistence + 1e-15) << i;
     }
     for (const std::size_t level : {reference.level_at_gap() / 2, reference.level_at_gap()}) {
       const Extremal_mesh expected = reference.mesh_at(level), found = moved.mesh_at(level);
