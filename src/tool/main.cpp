@@ -79,7 +79,7 @@ void add_extract(CLI::App& app, tool::Extract_options& options, std::function<in
   option("--surface", options.surface, "FILE", "write the polygonal surface used (.off)");
   option("--report", options.report, "FILE", "write counts and checks (.json)");
   add_outputs(*command, options);
-  option("--max-level", options.max_level, "N", "how often a cell may be divided (14; images and meshes 8)");
+  option("--max-level", options.max_level, "N", "how often a cell may be divided (20; images and meshes 8)");
   option("--max-line-level", options.max_line_level, "N",
          "the same where only the course of a line is uncertain (as --max-level; images 2)");
   option("--line-tolerance", options.line_tolerance, "LENGTH",
