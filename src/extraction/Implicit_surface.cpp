@@ -15,10 +15,18 @@ bool finite(const Local_shape& s) {
          std::isfinite(std::norm(s.A3));
 }
 
+Sample sample_of(const Point& p, const Local_shape& shape, const Derivatives& d, int order) {
+  Sample s(p, shape, true);
+  s.has_fourth = order >= 4;
+  if (s.has_fourth)
+    s.fourth = fourth_order_form(d, shape);
+  return s;
+}
+
 } // namespace
 
-std::optional<Sample> Implicit_surface::sample(const Point& x, const Vector& direction, double reach,
-                                               double accuracy) const {
+std::optional<Sample> Implicit_surface::sample(const Point& x, const Vector& direction, double reach, double accuracy,
+                                               Detail detail) const {
   // Newton along the line. All derivatives are taken where the step to the surface is within the accuracy; as steps
   // shrink quadratically, the step before tells when that will be. To look the guess x is often good enough by itself.
   Derivatives d;
@@ -26,7 +34,7 @@ std::optional<Sample> Implicit_surface::sample(const Point& x, const Vector& dir
   for (int i = 0; i < 25; ++i) {
     const Point p = x + s * direction;
     const bool all = expected < accuracy * reach;
-    f_.derivatives(p, all ? 3 : 1, d);
+    f_.derivatives(p, all ? order(detail) : 1, d);
     const double step = -d.value / dot(d.gradient, direction);
     if (!std::isfinite(step) || std::abs(s + step) > reach)
       return std::nullopt;
@@ -36,7 +44,7 @@ std::optional<Sample> Implicit_surface::sample(const Point& x, const Vector& dir
       const Local_shape shape = local_shape(d);
       if (!finite(shape))
         return std::nullopt;
-      return Sample(p + step * direction, shape, true);
+      return sample_of(p + step * direction, shape, d, order(detail));
     }
     s += step;
     last = step;
@@ -47,8 +55,9 @@ std::optional<Sample> Implicit_surface::sample(const Point& x, const Vector& dir
 
 Sample Implicit_surface::sample_at(const Point& p) const {
   Derivatives d;
-  f_.derivatives(p, 3, d);
-  return Sample(p, local_shape(d), true);
+  const int highest = order(Detail::fourth_order);
+  f_.derivatives(p, highest, d);
+  return sample_of(p, local_shape(d), d, highest);
 }
 
 double Implicit_surface::extremality_derivative(const Sample& s, int family, double step) const {
@@ -62,7 +71,8 @@ double Implicit_surface::extremality_derivative(const Sample& s, int family, dou
   const Vector t = family == 1 ? here.t1 : here.t2;
   double e[2];
   for (int side = 0; side < 2; ++side) {
-    const auto other = sample(s.p + (side == 0 ? -step : step) * t, s.shape.n, 10 * step, to_place);
+    const auto other =
+        sample(s.p + (side == 0 ? -step : step) * t, s.shape.n, 10 * step, to_place, Detail::third_order);
     if (!other)
       return 0;
     const Principal_quantities q = principal_quantities(other->shape);

@@ -14,13 +14,16 @@ class Implicit_surface : public Surface {
 public:
   explicit Implicit_surface(const Function_3& f) : f_(f) {}
 
-  std::optional<Sample> sample(const Point& x, const Vector& direction, double reach, double accuracy) const override;
+  std::optional<Sample> sample(const Point& x, const Vector& direction, double reach, double accuracy,
+                               Detail detail) const override;
   double extremality_derivative(const Sample& s, int family, double step) const override;
 
   /// the sample at a point that lies on the surface already.
   Sample sample_at(const Point& p) const;
 
 private:
+  int order(Detail detail) const { return detail == Detail::fourth_order && f_.max_order() >= 4 ? 4 : 3; }
+
   const Function_3& f_;
 };
 

@@ -14,7 +14,9 @@ namespace CGAL::Extremal_mesh_3 {
 /// along edges from their ends, and within a cell from its corners and its middle (see `interpolate()`).
 class Interpolated_surface : public Surface {
 public:
-  std::optional<Sample> sample(const Point&, const Vector&, double, double) const override { return std::nullopt; }
+  std::optional<Sample> sample(const Point&, const Vector&, double, double, Detail) const override {
+    return std::nullopt;
+  }
   double extremality_derivative(const Sample& s, int family, double) const override {
     return CGAL::Extremal_mesh_3::extremality_derivative(s.shape, s.fourth, family);
   }

@@ -29,22 +29,27 @@ std::optional<Sample> accepted(const Surface& surface, const Point& x, const Vec
 /// exact where they are quadratic.
 Local_shape half_way(const Sample& sample, const Point& p) {
   const Local_shape& s = sample.shape;
-  const Fourth_order_form& D = sample.fourth;
+  const Shape_derivatives derivatives = shape_derivatives(s, sample.fourth);
   const Vector d = p - sample.p;
-  const Complex z(dot(d, s.u) / 2, dot(d, s.v()) / 2), z_bar = std::conj(z);
-  // ∂̄H = ∂Q = A1/3 and ∂̄Q = A3 (Codazzi), ∂ and ∂̄ being the derivatives along z and z̄. C's own derivatives are not
-  // quite symmetric: ∂∂̄Q − ∂̄∂Q = K Q.
-  const Complex KQ = (s.H * s.H - std::norm(s.Q)) * s.Q;
-  const Complex dbar_A1 = 0.75 * (D.D2 - KQ), d_A3 = dbar_A1 / 3.0 + KQ;
+  const Complex z(dot(d, s.u) / 2, dot(d, s.v()) / 2);
+  const auto along = [&](const Shape_derivatives::Pair& x) { return x.z * z + x.z_bar * std::conj(z); };
   Local_shape moved = s;
   moved.H += 2.0 / 3 * (std::conj(s.A1) * z).real();
-  moved.Q += s.A1 / 3.0 * z + s.A3 * z_bar;
-  moved.A1 += D.D0 * z + dbar_A1 * z_bar;
-  moved.A3 += d_A3 * z + D.D4 * z_bar;
+  moved.Q += along(derivatives.Q);
+  moved.A1 += along(derivatives.A1);
+  moved.A3 += along(derivatives.A3);
   return moved;
 }
 
 } // namespace
+
+Shape_derivatives shape_derivatives(const Local_shape& s, const Fourth_order_form& D) {
+  // ∂̄H = ∂Q = A1/3 and ∂̄Q = A3 (Codazzi), ∂ and ∂̄ being the derivatives along z and z̄. C's own derivatives are not
+  // quite symmetric: ∂∂̄Q − ∂̄∂Q = K Q.
+  const Complex KQ = (s.H * s.H - std::norm(s.Q)) * s.Q;
+  const Complex dbar_A1 = 0.75 * (D.D2 - KQ);
+  return {{s.A1 / 3.0, s.A3}, {D.D0, dbar_A1}, {dbar_A1 / 3.0 + KQ, D.D4}};
+}
 
 Sample::Sample(const Point& point, const Local_shape& local_shape, bool is_exact)
     : p(point), shape(local_shape), P(local_shape.P()), exact(is_exact) {

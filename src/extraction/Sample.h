@@ -8,6 +8,7 @@
 #include <CGAL/Extremal_mesh_3/Differential_quantities.h>
 
 #include <complex>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -19,15 +20,29 @@ using Complex = std::complex<double>;
 struct Sample {
   Point p{};
   Local_shape shape;
-  Fourth_order_form fourth; ///< only on surfaces that interpolate
+  Fourth_order_form fourth; ///< on surfaces that interpolate, and where `has_fourth`
   Complex P;
   double phase = 0; ///< arg Φ in [0, π) where E_g ≥ 0, else in [−π, 0); lines lie where it is a multiple of π
-  bool positive = true; ///< E_g ≥ 0; sign(0) is +
-  bool exact = true;    ///< on the surface itself, not interpolated between samples
+  bool positive = true;    ///< E_g ≥ 0; sign(0) is +
+  bool exact = true;       ///< on the surface itself, not interpolated between samples
+  bool has_fourth = false; ///< `fourth` says how C changes on the surface
 
   Sample() = default;
   Sample(const Point& point, const Local_shape& local_shape, bool is_exact);
 };
+
+/// The derivatives of the local shape along the surface: a tangent that is the complex number z in the basis of the
+/// shape changes Q by Q.z z + Q.z_bar z̄, and likewise A1 and A3.
+struct Shape_derivatives {
+  struct Pair {
+    Complex z, z_bar;
+  };
+  Pair Q, A1, A3;
+};
+Shape_derivatives shape_derivatives(const Local_shape& s, const Fourth_order_form& D);
+
+/// What of a sample is wanted: derivatives of order 4 take longer.
+enum class Detail : std::uint8_t { third_order, fourth_order };
 
 /// A surface that can be asked for samples anywhere.
 class Surface {
@@ -36,8 +51,9 @@ public:
   /// the sample at the point of the line x + s·direction, |s| ≤ reach, where it meets the surface; nothing if none is
   /// found.
   /// \param accuracy  how far from that point, in parts of `reach`, the derivatives may be taken
-  virtual std::optional<Sample> sample(const Point& x, const Vector& direction, double reach,
-                                       double accuracy = to_look) const = 0;
+  /// \param detail  whether the sample gets its fourth-order form, if the surface has one
+  virtual std::optional<Sample> sample(const Point& x, const Vector& direction, double reach, double accuracy = to_look,
+                                       Detail detail = Detail::fourth_order) const = 0;
   static constexpr double to_look = 1e-6;   ///< enough to judge what is there
   static constexpr double to_place = 1e-12; ///< for what goes into the result
   /// ∇e_i·t_i, for the family i.

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // P vanishes at extremal points and umbilics, Q at umbilics. A cell is accepted when, of both, it is known how often
-// they vanish inside: a field whose values keep to one side of 0 by more than the error of its linear model has no
+// they vanish inside, and when the lines then have one way to go. Where samples have derivatives, a cubic model of the
+// shape tells. Elsewhere a field whose values keep to one side of 0 by more than the error of its linear model has no
 // zero; one whose linear model is one-to-one by more than its error has at most one zero, and the winding around the
 // border says whether it has.
 #include "analyse_cell.h"
 
 #include "../differential/umbilic_lines.h"
 #include "../differential/vector.h"
+#include "Cell_model.h"
 #include "Flat_cell.h"
 #include "course_of_lines.h"
 #include "cuts_between_branches.h"
@@ -16,6 +18,7 @@
 #include "linear_fit.h"
 #include "locate.h"
 #include "nudge.h"
+#include "zeros_in_cell.h"
 
 #include <algorithm>
 #include <cmath>
@@ -141,16 +144,24 @@ bool families_differ(const std::vector<Border_crossing>& c, std::size_t offset) 
   return true;
 }
 
-/// What the samples of a cell say of it.
+/// What is found out about a cell.
 struct Judgement {
   bool known = false;          ///< P and Q have as many zeros as their windings say
   bool may_be_umbilic = false; ///< Q may vanish
+  bool one_umbilic = false;    ///< there is one, and no other zero; `course` tells of its branches
   Content content = Content::undecided;
-  Linear_field P, Q; ///< of an umbilic: the gradients of the models, in the basis of the middle
+  Complex P_zero, Q_zero; ///< where the zeros should be, in units of the cell's radius
+  Linear_field P, Q;      ///< of an umbilic: the gradients of the models, in the basis of the middle
+  Line_course course;
 };
 
-Judgement judge(const Refined_complex& complex, const std::vector<Half_edge>& border, const Border_crossings& met,
-                const Flat_cell& flat, int wP, int wQ) {
+bool may_be_extremal_point(const Border_crossings& met, int wP, int wQ) {
+  return std::abs(wP) == 1 && wQ == 0 && met.crossings.size() == 4 && families_differ(met.crossings, 1);
+}
+
+/// judges by linear models of P and Q.
+Judgement judge_linearly(const Refined_complex& complex, const std::vector<Half_edge>& border,
+                         const Border_crossings& met, const Flat_cell& flat, int wP, int wQ) {
   const Field_state P = examine(flat.points, flat.P), Q = examine(flat.points, flat.Q);
   Judgement j;
   j.may_be_umbilic = !Q.nonzero;
@@ -159,20 +170,100 @@ Judgement judge(const Refined_complex& complex, const std::vector<Half_edge>& bo
     return j;
   if (wP == 0 && wQ == 0 && lines_are_certain(complex, border, flat, P, Q, met))
     j.content = Content::lines;
-  if (std::abs(wP) == 1 && wQ == 0 && P.simple && Q.nonzero && met.crossings.size() == 4 &&
-      families_differ(met.crossings, 1))
+  if (may_be_extremal_point(met, wP, wQ) && P.simple && Q.nonzero)
     j.content = Content::extremal_point;
   if (std::abs(wP) == 1 && std::abs(wQ) == 1 && P.simple && Q.simple) {
     j.content = Content::umbilic;
+    j.one_umbilic = j.course.no_closed_line = true;
     j.P = {P.fit.x, P.fit.y};
     j.Q = {Q.fit.x, Q.fit.y};
   }
   return j;
 }
 
+/// the border in units of the cell's radius.
+Planar_polygon polygon_of(const Flat_cell& flat, double scale) {
+  std::vector<Complex> corners;
+  for (std::size_t i = 0; i < flat.border; ++i)
+    corners.push_back(flat.points.z[i] / scale);
+  return Planar_polygon(std::move(corners));
+}
+
+/// judges where samples have no derivatives; takes more of them if these leave doubt.
+Judgement judge_by_values(const Refined_complex& complex, const std::vector<Half_edge>& border,
+                          const Border_crossings& met, const Sample& middle, Flat_cell& flat, int wP, int wQ,
+                          int most_edge_level) {
+  Judgement j = judge_linearly(complex, border, met, flat, wP, wQ);
+  if (j.content != Content::undecided && add_sides(complex, border, middle, flat))
+    j = judge_linearly(complex, border, met, flat, wP, wQ);
+  if (j.content == Content::lines || !j.known || wP != 0 || wQ != 0)
+    return j;
+  add_samples(complex, border, middle, flat);
+  if (!flat.flat || lifted_phase(complex, border, flat).empty())
+    return j;
+  const Cell_model model(flat, middle.shape.Q);
+  j.course = course_of_lines(complex, border, met, model, polygon_of(flat, model.scale()), most_edge_level);
+  if (j.course.certain)
+    j.content = Content::lines;
+  return j;
+}
+
+/// judges by a model of values and derivatives.
+Judgement judge_by_model(const Refined_complex& complex, const std::vector<Half_edge>& border,
+                         const Border_crossings& met, const Sample& middle, const Flat_cell& flat, int wP, int wQ,
+                         int most_edge_level) {
+  Judgement j;
+  const Cell_model model(flat, middle.shape.Q);
+  const Planar_polygon polygon = polygon_of(flat, model.scale());
+  const Zeros_in_cell Q = zeros_in_cell(model, Field::Q, polygon);
+  j.may_be_umbilic = !(Q.certain && Q.inside + Q.beside_border == 0);
+  if (!Q.agree_with(wQ))
+    return j;
+  const Zeros_in_cell P = zeros_in_cell(model, Field::P, polygon);
+  j.known = P.agree_with(wP);
+  if (!j.known)
+    return j;
+  j.P_zero = P.place;
+  j.Q_zero = Q.place;
+  Content content = Content::undecided;
+  if (wP == 0 && wQ == 0) {
+    j.course = course_of_lines(complex, border, met, model, polygon, most_edge_level);
+    content = Content::lines;
+  } else if (may_be_extremal_point(met, wP, wQ)) {
+    j.course = lines_around_vertex(complex, border, met, model, polygon, most_edge_level);
+    content = Content::extremal_point;
+  } else if (std::abs(wP) == 1 && std::abs(wQ) == 1) {
+    j.course = lines_around_vertex(complex, border, met, model, polygon, most_edge_level);
+    j.one_umbilic = true;
+    content = Content::umbilic;
+  }
+  if (j.course.certain)
+    j.content = content;
+  return j;
+}
+
+/// judges where samples have derivatives; takes more of them if these leave doubt that a better model may settle.
+Judgement judge_by_derivatives(const Refined_complex& complex, const std::vector<Half_edge>& border,
+                               const Border_crossings& met, const Sample& middle, Flat_cell& flat, int wP, int wQ,
+                               int most_edge_level) {
+  Judgement j;
+  j.may_be_umbilic = true;
+  if (!flat.flat)
+    return j;
+  j = judge_by_model(complex, border, met, middle, flat, wP, wQ, most_edge_level);
+  const bool simple = std::abs(wP) <= 1 && std::abs(wQ) <= 1 && met.crossings.size() <= 4;
+  if (j.content != Content::undecided || !j.course.cuts.empty() || !simple)
+    return j;
+  add_samples(complex, border, middle, flat);
+  if (!flat.flat || !flat.has_derivatives)
+    return j;
+  return judge_by_model(complex, border, met, middle, flat, wP, wQ, most_edge_level);
+}
+
 /// tells whether the branches that reach the border are those that the umbilic must have. On a surface that
 /// interpolates, the gradients of P and Q are only nearly what C says: there they decide themselves.
-/// \param cuts  gets where edges are to be cut if branches leave between neighbouring samples of the border
+/// \param cuts  gets where edges are to be cut if branches leave between neighbouring samples of the border; stays as
+///              it is if none do
 bool has_generic_umbilic(const Refined_complex& complex, const std::vector<Half_edge>& border, const Sample& umbilic,
                          const Sample& middle, const Judgement& judged, const Border_crossings& met, int wP, int wQ,
                          int most_edge_level, std::vector<Edge_cut>& cuts) {
@@ -190,8 +281,10 @@ bool has_generic_umbilic(const Refined_complex& complex, const std::vector<Half_
   }
   if (met.crossings.size() == std::size_t(2 * lines) && families_differ(met.crossings, met.crossings.size() / 2))
     return true;
+  // Its directions tell better where to cut than what the model says of the border.
   if (lines == 3)
-    cuts = cuts_between_branches(complex, border, star, most_edge_level);
+    if (auto between = cuts_between_branches(complex, border, star, most_edge_level); !between.empty())
+      cuts = std::move(between);
   return false;
 }
 
@@ -255,9 +348,8 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
   Flat_cell flat = flatten(complex, border, middle);
   Judgement judged;
   if (consistent)
-    judged = judge(complex, border, met, flat, wP, wQ);
-  if (judged.content != Content::undecided && add_sides(complex, border, middle, flat))
-    judged = judge(complex, border, met, flat, wP, wQ);
+    judged = flat.has_derivatives ? judge_by_derivatives(complex, border, met, middle, flat, wP, wQ, most_edge_level)
+                                  : judge_by_values(complex, border, met, middle, flat, wP, wQ, most_edge_level);
   const double size = flat.points.radius;
   const auto accept = [&](Content content, const Sample& where) {
     result.content = content;
@@ -265,20 +357,13 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
     return result;
   };
 
-  if (judged.content == Content::lines) {
+  result.cuts = judged.course.cuts;
+  result.joined = judged.course.joined;
+  if (judged.content == Content::lines)
     result.content = Content::lines;
+  if (judged.content == Content::lines || (!result.cuts.empty() && !judged.one_umbilic))
     return result;
-  }
   const bool no_vertex = judged.known && wP == 0 && wQ == 0;
-  if (no_vertex) {
-    const Line_course course = course_of_lines(complex, border, met, middle, flat, most_edge_level);
-    result.cuts = course.cuts;
-    result.joined = course.joined;
-    if (course.certain)
-      result.content = Content::lines;
-    if (course.certain || !course.cuts.empty())
-      return result;
-  }
   if (cell.level >= level_of_symmetry && middle.exact && !complex.surface().interpolates()) {
     std::optional<Sample> at;
     if (no_vertex)
@@ -290,7 +375,8 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
   }
   const auto zero_of = [&](Field field) {
     if (!complex.surface().interpolates())
-      return locate_zero(complex.surface(), field, middle, size, 2 * size);
+      return locate_zero(complex.surface(), field, middle, size * (field == Field::P ? judged.P_zero : judged.Q_zero),
+                         size, 2 * size);
     std::vector<const Sample*> around;
     for (const Half_edge h : border)
       around.push_back(&complex.samples()[complex.source(h)]);
@@ -299,9 +385,12 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
   if (judged.content == Content::extremal_point)
     if (const auto at = zero_of(Field::P))
       return accept(Content::extremal_point, *at);
-  if (judged.content == Content::umbilic)
+  if (judged.one_umbilic)
     if (const auto at = zero_of(Field::Q))
-      if (has_generic_umbilic(complex, border, *at, middle, judged, met, wP, wQ, most_edge_level, result.cuts))
+      // Where branches leave side by side the model cannot tell how often they cross an edge, at whatever size: that the
+      // umbilic has just these branches does.
+      if (has_generic_umbilic(complex, border, *at, middle, judged, met, wP, wQ, most_edge_level, result.cuts) &&
+          judged.course.no_closed_line)
         return accept(Content::umbilic, *at);
   if (!result.cuts.empty())
     return result;

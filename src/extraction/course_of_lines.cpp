@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "course_of_lines.h"
 
-#include "Quadratic_model.h"
 #include "degenerate_vertex.h"
 
 #include <algorithm>
@@ -15,18 +14,6 @@ namespace CGAL::Extremal_mesh_3 {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-/// adds samples at the middles of the sides, and half way from the middle of the cell to its corners.
-void add_samples(const Refined_complex& complex, const std::vector<Half_edge>& border, const Sample& middle,
-                 Flat_cell& flat) {
-  constexpr std::size_t most_sides = 8;
-  const std::size_t step = (border.size() + most_sides - 1) / most_sides;
-  for (std::size_t i = 0; i < border.size(); i += step) {
-    const Sample &a = complex.samples()[complex.source(border[i])], &b = complex.samples()[complex.target(border[i])];
-    flat.add(middle, sample_between(complex.surface(), a, b, 0.5));
-    flat.add(middle, sample_between(complex.surface(), middle, a, 0.5));
-  }
-}
 
 /// the place of the greatest value of a function with one maximum in [low, high], by golden sections.
 template <class Function> double place_of_maximum(const Function& f, double low, double high, int steps) {
@@ -66,29 +53,34 @@ int levels_between(double a, double b) {
 class Course {
 public:
   Course(const Refined_complex& complex, const std::vector<Half_edge>& border, const Border_crossings& met,
-         const Flat_cell& flat, const std::vector<double>& phase, int most_edge_level)
-      : complex_(complex), border_(border), met_(met),
-        phase_(phase.begin(), phase.begin() + std::ptrdiff_t(border.size())), most_edge_level_(most_edge_level),
-        model_(flat) {
-    for (std::size_t i = 0; i < border.size(); ++i)
-      corner_.push_back(flat.points.z[i] / model_.scale());
+         const Cell_model& model, const Planar_polygon& polygon, int most_edge_level)
+      : complex_(complex), border_(border), met_(met), model_(model), polygon_(polygon), corner_(polygon.corners()),
+        phase_(border_phase(complex, border)), most_edge_level_(most_edge_level) {}
+
+  /// the lines around the one vertex that the cell holds.
+  Line_course around_vertex() const {
+    Line_course course;
+    const std::vector<Critical_point> critical = critical_points();
+    const bool border = border_is_certain(course.cuts);
+    if (lines_seem_to_cross_beside_border(critical))
+      course.cuts.clear();
+    course.no_closed_line = std::all_of(critical.begin(), critical.end(), [](const auto& c) { return c.saddle; });
+    course.certain = border && course.no_closed_line;
+    return course;
   }
 
   Line_course find() {
     Line_course course;
     const std::vector<Critical_point> critical = critical_points();
     const bool joined = join(critical, course.joined);
-    const bool no_closed_line = has_no_closed_line(critical);
+    course.no_closed_line = has_no_closed_line(critical);
     std::vector<Edge_cut> cuts;
     const bool border = border_is_certain(cuts);
-    // Where lines seem to cross beside the border, cuts would pull corners towards the crossing: it would stay there.
-    if (!cuts.empty() && (no_closed_line || std::none_of(critical.begin(), critical.end(), [&](const auto& c) {
-                            return c.saddle && is_on_level(c) && !is_well_inside(c.z);
-                          }))) {
+    if (!cuts.empty() && (course.no_closed_line || !lines_seem_to_cross_beside_border(critical))) {
       course.cuts = std::move(cuts);
       return course;
     }
-    course.certain = border && joined && no_closed_line;
+    course.certain = border && joined && course.no_closed_line;
     return course;
   }
 
@@ -116,7 +108,7 @@ private:
     bool certain = true;
     for (std::size_t i = 0; i < border_.size(); ++i) {
       const auto phases = phases_on_edge(i);
-      const double end = phase_[(i + 1) % phase_.size()];
+      const double end = phase_[i + 1];
       const int seen = levels_between(phases.front(), end);
       double hidden_at = 0, hidden = 0, before = phases.front();
       int crossed = 0;
@@ -154,16 +146,6 @@ private:
     return certain;
   }
 
-  bool is_inside(Complex z) const {
-    bool inside = false;
-    for (std::size_t i = 0, j = corner_.size() - 1; i < corner_.size(); j = i++) {
-      const Complex a = corner_[i] - z, b = corner_[j] - z;
-      if ((a.imag() > 0) != (b.imag() > 0) && (a.real() - a.imag() * (b.real() - a.real()) / (b.imag() - a.imag())) > 0)
-        inside = !inside;
-    }
-    return inside;
-  }
-
   struct Critical_point {
     Complex z;
     double phase = 0; ///< lifted
@@ -173,16 +155,25 @@ private:
   /// the critical points of the phase in the cell.
   std::vector<Critical_point> critical_points() const {
     constexpr int starts = 4;
-    constexpr double apart = 1e-4;
+    constexpr double spacing = 2.0 / starts, apart = 1e-4;
+    // In a square of the grid the gradient changes by less than so much of what the second derivatives say at its middle.
+    constexpr double far = 2.5;
     std::vector<Critical_point> found;
     for (int i = 0; i < starts * starts; ++i) {
-      Complex z(-0.75 + 0.5 * (i % starts), -0.75 + 0.5 * (i / starts)); // NOLINT(bugprone-integer-division)
-      if (!find_critical_point(z) || !is_inside(0.9 * z) ||
-          std::any_of(found.begin(), found.end(), [&](const auto& c) { return std::abs(c.z - z) < apart; }))
+      Complex z(-1 + spacing * (i % starts + 0.5),
+                -1 + spacing * (i / starts + 0.5)); // NOLINT(bugprone-integer-division)
+      if (!polygon_.contains(z) && polygon_.distance_to_border(z) > spacing)
+        continue;
+      const auto s = model_.slopes(z);
+      const double radius = spacing / std::numbers::sqrt2, reach = far * radius;
+      if (s.x * s.x + s.y * s.y > reach * reach * (s.xx * s.xx + 2 * s.xy * s.xy + s.yy * s.yy))
+        continue;
+      if (!find_critical_point(z) || !polygon_.contains(0.9 * z) ||
+          std::any_of(found.begin(), found.end(), [&](const auto& c) { return std::norm(c.z - z) < apart * apart; }))
         continue;
       // Lifted from the nearest corner, from where it turns little.
       const auto nearest = std::min_element(corner_.begin(), corner_.end(),
-                                            [&](Complex a, Complex b) { return std::abs(a - z) < std::abs(b - z); });
+                                            [&](Complex a, Complex b) { return std::norm(a - z) < std::norm(b - z); });
       const double phase =
           phase_[std::size_t(nearest - corner_.begin())] + std::arg(model_.phi(z) * std::conj(model_.phi(*nearest)));
       found.push_back({z, phase, model_.slopes(z).hessian() < 0});
@@ -201,6 +192,12 @@ private:
         return false;
     }
     return true;
+  }
+
+  /// Cuts would pull corners towards the crossing: it would stay beside the border.
+  bool lines_seem_to_cross_beside_border(const std::vector<Critical_point>& critical) const {
+    return std::any_of(critical.begin(), critical.end(),
+                       [&](const auto& c) { return c.saddle && is_on_level(c) && !is_well_inside(c.z); });
   }
 
   /// tells whether no line closes inside: around one that does there would be an extremum of the phase.
@@ -268,16 +265,17 @@ private:
       const double s = double(k) / stations;
       const auto at = [&](double o) { return from + s * along + o * across; };
       if (k > 0 && k < stations) {
-        offset = place_of_maximum([&](double o) { return is_inside(at(o)) ? height(at(o)) : outside - std::abs(o); },
-                                  offset - aside, offset + aside, 12);
-        if (!is_inside(at(offset)))
+        offset =
+            place_of_maximum([&](double o) { return polygon_.contains(at(o)) ? height(at(o)) : outside - std::abs(o); },
+                             offset - aside, offset + aside, 12);
+        if (!polygon_.contains(at(offset)))
           return outside;
       } else {
         offset = 0;
       }
       for (int i = 1; i <= between; ++i) { // it must not jump over what lies between
         const Complex z = last + double(i) / between * (at(offset) - last);
-        if (k > 0 && k < stations && !is_inside(z))
+        if (k > 0 && k < stations && !polygon_.contains(z))
           return outside;
         least = std::min(least, height(z) - model_.phase_error(z) - rounding);
       }
@@ -347,21 +345,25 @@ private:
   const Refined_complex& complex_;
   const std::vector<Half_edge>& border_;
   const Border_crossings& met_;
-  std::vector<double> phase_;   ///< lifted, of the corners
-  std::vector<Complex> corner_; ///< of the border, in units of the radius
+  const Cell_model& model_;
+  const Planar_polygon& polygon_;
+  const std::vector<Complex>& corner_; ///< of the border, in units of the radius
+  std::vector<double> phase_;          ///< lifted, of the corners, and once more of the first one
   int most_edge_level_;
-  Quadratic_model model_;
 };
 
 } // namespace
 
 Line_course course_of_lines(const Refined_complex& complex, const std::vector<Half_edge>& border,
-                            const Border_crossings& met, const Sample& middle, Flat_cell& flat, int most_edge_level) {
-  add_samples(complex, border, middle, flat);
-  const std::vector<double> phase = lifted_phase(complex, border, flat);
-  if (phase.empty() || !flat.flat)
-    return {};
-  return Course(complex, border, met, flat, phase, most_edge_level).find();
+                            const Border_crossings& met, const Cell_model& model, const Planar_polygon& polygon,
+                            int most_edge_level) {
+  return Course(complex, border, met, model, polygon, most_edge_level).find();
+}
+
+Line_course lines_around_vertex(const Refined_complex& complex, const std::vector<Half_edge>& border,
+                                const Border_crossings& met, const Cell_model& model, const Planar_polygon& polygon,
+                                int most_edge_level) {
+  return Course(complex, border, met, model, polygon, most_edge_level).around_vertex();
 }
 
 } // namespace CGAL::Extremal_mesh_3

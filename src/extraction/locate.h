@@ -5,17 +5,16 @@
 #ifndef EXTREMAL_MESH_3_SRC_EXTRACTION_LOCATE_H
 #define EXTREMAL_MESH_3_SRC_EXTRACTION_LOCATE_H
 
-#include "Sample.h"
+#include "Cell_model.h"
 
 namespace CGAL::Extremal_mesh_3 {
 
-/// Which field is to vanish: P at extremal points, Q at umbilics.
-enum class Field : std::uint8_t { P, Q };
-
-/// the zero of P or Q nearest to `start`, by Newton's method on the surface.
+/// the zero of P or Q near to `start`, by Newton's method on the surface.
+/// \param guess  where it should be, in the tangent plane of `start`
 /// \param size  the size of the cell it should lie in
 /// \param reach  how far from `start` it may lie
-std::optional<Sample> locate_zero(const Surface& surface, Field field, const Sample& start, double size, double reach);
+std::optional<Sample> locate_zero(const Surface& surface, Field field, const Sample& start, Complex guess, double size,
+                                  double reach);
 
 /// a zero of P or Q on a surface that interpolates: in one of the triangles that join the middle of a cell with its
 /// border.

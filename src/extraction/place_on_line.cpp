@@ -41,7 +41,7 @@ std::optional<Placed_on_line> place_on_line(const Surface& surface, const Chord&
   std::optional<Sample> s;
   // The phase above that of the line, made to rise to the left; NaN where the surface is not reached.
   const auto height = [&](double offset) {
-    s = surface.sample(x + offset * left, n, 0.5 * size, Surface::to_place);
+    s = surface.sample(x + offset * left, n, 0.5 * size, Surface::to_place, Detail::third_order);
     if (!s || dot(s->shape.n, n) < least_cosine)
       return std::numeric_limits<double>::quiet_NaN();
     return rising * std::arg(turned * s->shape.Phi());
