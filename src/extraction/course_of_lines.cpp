@@ -89,15 +89,24 @@ private:
     return (1 - t) * corner_[i] + t * corner_[(i + 1) % corner_.size()];
   }
 
+  /// P and Q turn by less than π between places near to each other, where their phase may turn further.
+  struct Fields {
+    Complex P, Q;
+  };
+  Fields fields(Complex z) const { return {model_.P(z), model_.Q(z)}; }
+  static double turn(const Fields& from, const Fields& to) {
+    return 2 * std::arg(to.P * std::conj(from.P)) + std::arg(to.Q * std::conj(from.Q));
+  }
+
   /// The phase along an edge at steps of 1/steps, lifted from the one at its first end.
   static constexpr int steps = 12;
   std::array<double, steps + 1> phases_on_edge(std::size_t i) const {
     std::array<double, steps + 1> result;
-    Complex before = model_.phi(on_edge(i, 0));
+    Fields before = fields(on_edge(i, 0));
     result[0] = phase_[i];
     for (int k = 1; k <= steps; ++k) {
-      const Complex here = model_.phi(on_edge(i, double(k) / steps));
-      result[std::size_t(k)] = result[std::size_t(k - 1)] + std::arg(here * std::conj(before));
+      const Fields here = fields(on_edge(i, double(k) / steps));
+      result[std::size_t(k)] = result[std::size_t(k - 1)] + turn(before, here);
       before = here;
     }
     return result;
@@ -122,11 +131,11 @@ private:
         const double turned = (rise < 0) != (on < 0)              ? (rise < 0 ? -1 : 1)
                               : 2 * std::abs(rise) < std::abs(on) ? (on < 0 ? 1 : -1)
                                                                   : (rise < 0 ? -1 : 1);
-        const Complex base = std::polar(1.0, -phases[k]);
+        const Fields base = fields(on_edge(i, double(k) / steps));
         const double t =
-            place_of_maximum([&](double at) { return turned * std::arg(model_.phi(on_edge(i, at)) * base); },
+            place_of_maximum([&](double at) { return turned * turn(base, fields(on_edge(i, at))); },
                              double(k == 1 ? 0 : k - 1) / steps, double(k + 1 == steps ? steps : k + 1) / steps, 25);
-        const double extreme = phases[k] + std::arg(model_.phi(on_edge(i, t)) * base);
+        const double extreme = phases[k] + turn(base, fields(on_edge(i, t)));
         certain &= distance_to_level(extreme) > rounding + model_.phase_error(on_edge(i, t));
         crossed += levels_between(before, extreme);
         if (levels_between(before, extreme) > 0 && distance_to_level(extreme) > hidden) {
@@ -174,8 +183,7 @@ private:
       // Lifted from the nearest corner, from where it turns little.
       const auto nearest = std::min_element(corner_.begin(), corner_.end(),
                                             [&](Complex a, Complex b) { return std::norm(a - z) < std::norm(b - z); });
-      const double phase =
-          phase_[std::size_t(nearest - corner_.begin())] + std::arg(model_.phi(z) * std::conj(model_.phi(*nearest)));
+      const double phase = phase_[std::size_t(nearest - corner_.begin())] + turn(fields(*nearest), fields(z));
       found.push_back({z, phase, model_.slopes(z).hessian() < 0});
     }
     return found;
