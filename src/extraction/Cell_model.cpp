@@ -212,22 +212,12 @@ Plane_range Cell_model::range(Part part, const Plane_jet& here, double r) const 
   return {r * r * (second / 2 + r * third_[part] / 6), r * (second + r * third_[part] / 2)};
 }
 
-Complex Cell_model::Q(Complex z) const {
+Cell_model::Fields Cell_model::operator()(Complex z) const {
   const Values v = values(z);
-  return {v[q1], v[q2]};
-}
-
-Complex Cell_model::P(Complex z) const {
-  const Values v = values(z);
-  return by_parts_ ? Complex(v[q1] * v[e1] + v[q2] * v[s1], v[q1] * v[e2] - v[q2] * v[s2]) : Complex(v[e1], v[e2]);
-}
-
-Complex Cell_model::phi(Complex z) const {
-  const Values v = values(z);
-  const double a = by_parts_ ? v[q1] * v[e1] + v[q2] * v[s1] : v[e1],
-               b = by_parts_ ? v[q1] * v[e2] - v[q2] * v[s2] : v[e2];
-  const double re = a * a - b * b, im = 2 * a * b;
-  return {re * v[q1] - im * v[q2], re * v[q2] + im * v[q1]};
+  const Complex Q(v[q1], v[q2]);
+  if (!by_parts_)
+    return {{v[e1], v[e2]}, Q};
+  return {{v[q1] * v[e1] + v[q2] * v[s1], v[q1] * v[e2] - v[q2] * v[s2]}, Q};
 }
 
 Field_jets Cell_model::jets_of(Field field, const Jets& j) const {
@@ -258,8 +248,7 @@ Field_errors Cell_model::errors(Field field, Complex z) const {
   return errors_of(field, [&](Part part) { return v[part]; });
 }
 
-Field_view Cell_model::view(Field field, Complex z, double r) const {
-  const Jets j = jets(z);
+Field_view Cell_model::view_of(Field field, const Jets& j, double r) const {
   Field_view view{jets_of(field, j), {}, {}, errors_of(field, [&](Part part) { return j[part].f; })};
   const auto of = [&](Part part) { return range(part, j[part], r); };
   if (field == Field::Q) {
@@ -279,16 +268,18 @@ Field_view Cell_model::view(Field field, Complex z, double r) const {
 }
 
 double Cell_model::phase_error(Complex z) const {
-  const Complex p = P(z), q = Q(z);
-  const double size = std::abs(p), q_size = std::abs(q);
+  const Values v = values(z);
+  const auto value = [&](Part part) { return v[part]; };
+  const auto [p, q] = (*this)(z);
+  const double size = std::sqrt(std::norm(p));
   // Along the direction that P would have on the nearest level an error only stretches the way to the level.
   const double phase = std::arg(p * p * q);
   const double off = (phase - std::numbers::pi * std::round(phase / std::numbers::pi)) / 2;
   const Complex level = p / size * std::polar(1.0, -off);
-  const Field_errors of_p = errors(Field::P, z), of_q = errors(Field::Q, z);
+  const Field_errors of_p = errors_of(Field::P, value), of_q = errors_of(Field::Q, value);
   const double across = std::abs(level.real()) * of_p.im + std::abs(level.imag()) * of_p.re;
   return 2 * across / size +
-         (std::abs(q.imag()) * of_q.re + std::abs(q.real()) * of_q.im + of_q.re * of_q.im) / (q_size * q_size);
+         (std::abs(q.imag()) * of_q.re + std::abs(q.real()) * of_q.im + of_q.re * of_q.im) / std::norm(q);
 }
 
 Cell_model::Slopes Cell_model::slopes(Complex z) const {

@@ -54,12 +54,21 @@ public:
   Cell_model(const Flat_cell& flat, Complex Q);
 
   double scale() const { return scale_; } ///< the radius of the cell
-  Complex P(Complex z) const;
-  Complex Q(Complex z) const;
-  Complex phi(Complex z) const;
+  struct Fields {
+    Complex P, Q;
+    Complex phi() const { return P * P * Q; }
+  };
+  Fields operator()(Complex z) const;
   Field_jets jets(Field field, Complex z) const;
   /// \param r  how far it is looked from z
-  Field_view view(Field field, Complex z, double r) const;
+  Field_view view(Field field, Complex z, double r) const { return view_of(field, jets(z), r); }
+  struct Views {
+    Field_view P, Q;
+  };
+  Views views(Complex z, double r) const {
+    const Jets j = jets(z);
+    return {view_of(Field::P, j, r), view_of(Field::Q, j, r)};
+  }
   /// estimates, to the safe side.
   Field_errors errors(Field field, Complex z) const;
   /// the same for the phase of Φ: farther from the nearest multiple of π than this, it is on the side on which it seems.
@@ -81,6 +90,7 @@ private:
   using Jets = std::array<Plane_jet, parts>;
 
   Field_jets jets_of(Field field, const Jets& j) const;
+  Field_view view_of(Field field, const Jets& j, double r) const;
   template <class Part_value> Field_errors errors_of(Field field, const Part_value& value) const;
   Values values(Complex z) const;
   Jets jets(Complex z) const;

@@ -90,10 +90,7 @@ private:
   }
 
   /// P and Q turn by less than π between places near to each other, where their phase may turn further.
-  struct Fields {
-    Complex P, Q;
-  };
-  Fields fields(Complex z) const { return {model_.P(z), model_.Q(z)}; }
+  using Fields = Cell_model::Fields;
   static double turn(const Fields& from, const Fields& to) {
     return 2 * std::arg(to.P * std::conj(from.P)) + std::arg(to.Q * std::conj(from.Q));
   }
@@ -102,10 +99,10 @@ private:
   static constexpr int steps = 12;
   std::array<double, steps + 1> phases_on_edge(std::size_t i) const {
     std::array<double, steps + 1> result;
-    Fields before = fields(on_edge(i, 0));
+    Fields before = model_(on_edge(i, 0));
     result[0] = phase_[i];
     for (int k = 1; k <= steps; ++k) {
-      const Fields here = fields(on_edge(i, double(k) / steps));
+      const Fields here = model_(on_edge(i, double(k) / steps));
       result[std::size_t(k)] = result[std::size_t(k - 1)] + turn(before, here);
       before = here;
     }
@@ -131,11 +128,11 @@ private:
         const double turned = (rise < 0) != (on < 0)              ? (rise < 0 ? -1 : 1)
                               : 2 * std::abs(rise) < std::abs(on) ? (on < 0 ? 1 : -1)
                                                                   : (rise < 0 ? -1 : 1);
-        const Fields base = fields(on_edge(i, double(k) / steps));
+        const Fields base = model_(on_edge(i, double(k) / steps));
         const double t =
-            place_of_maximum([&](double at) { return turned * turn(base, fields(on_edge(i, at))); },
+            place_of_maximum([&](double at) { return turned * turn(base, model_(on_edge(i, at))); },
                              double(k == 1 ? 0 : k - 1) / steps, double(k + 1 == steps ? steps : k + 1) / steps, 25);
-        const double extreme = phases[k] + turn(base, fields(on_edge(i, t)));
+        const double extreme = phases[k] + turn(base, model_(on_edge(i, t)));
         certain &= distance_to_level(extreme) > rounding + model_.phase_error(on_edge(i, t));
         crossed += levels_between(before, extreme);
         if (levels_between(before, extreme) > 0 && distance_to_level(extreme) > hidden) {
@@ -163,30 +160,55 @@ private:
 
   /// the critical points of the phase in the cell.
   std::vector<Critical_point> critical_points() const {
-    constexpr int starts = 4;
-    constexpr double spacing = 2.0 / starts, apart = 1e-4;
-    // In a square of the grid the gradient changes by less than so much of what the second derivatives say at its middle.
-    constexpr double far = 2.5;
     std::vector<Critical_point> found;
-    for (int i = 0; i < starts * starts; ++i) {
-      Complex z(-1 + spacing * (i % starts + 0.5),
-                -1 + spacing * (i / starts + 0.5)); // NOLINT(bugprone-integer-division)
-      if (!polygon_.contains(z) && polygon_.distance_to_border(z) > spacing)
-        continue;
-      const auto s = model_.slopes(z);
-      const double radius = spacing / std::numbers::sqrt2, reach = far * radius;
-      if (s.x * s.x + s.y * s.y > reach * reach * (s.xx * s.xx + 2 * s.xy * s.xy + s.yy * s.yy))
-        continue;
-      if (!find_critical_point(z) || !polygon_.contains(0.9 * z) ||
-          std::any_of(found.begin(), found.end(), [&](const auto& c) { return std::norm(c.z - z) < apart * apart; }))
-        continue;
-      // Lifted from the nearest corner, from where it turns little.
-      const auto nearest = std::min_element(corner_.begin(), corner_.end(),
-                                            [&](Complex a, Complex b) { return std::norm(a - z) < std::norm(b - z); });
-      const double phase = phase_[std::size_t(nearest - corner_.begin())] + turn(fields(*nearest), fields(z));
-      found.push_back({z, phase, model_.slopes(z).hessian() < 0});
-    }
+    look_for_critical_points(0, 1, 0, found);
     return found;
+  }
+
+  /// An upper bound for how far the gradient of the logarithm of a field changes within the distance of a view; infinite if the
+  /// field may vanish there.
+  static double change_of_logarithm(const Field_view& v, double r) {
+    const auto length = [](double a, double b) { return std::sqrt(a * a + b * b); };
+    const double size = length(v.here.re.f, v.here.im.f);
+    const double slope = length(length(v.here.re.x, v.here.re.y), length(v.here.im.x, v.here.im.y));
+    const double change = slope * r + length(v.re.remainder, v.im.remainder), least = size - change;
+    if (!(least > 0))
+      return std::numeric_limits<double>::infinity();
+    return (length(v.re.turn, v.im.turn) + slope * change / size) / least;
+  }
+
+  /// looks into the square about z with sides of 2 h: divides it until the phase keeps rising in one direction; else Newton's
+  /// method decides.
+  void look_for_critical_points(Complex z, double h, int depth, std::vector<Critical_point>& found) const {
+    constexpr int deepest = 2;
+    constexpr double apart = 1e-4;
+    const double r = depth == 0 ? 1 : std::numbers::sqrt2 * h; // the cell lies in the unit circle
+    if (depth > 0 && !polygon_.contains(z) && polygon_.distance_to_border(z) > r)
+      return;
+    const Cell_model::Views v = model_.views(z, r);
+    const auto slope = [](const Field_view& f) {
+      const Complex inverse =
+          1 / (f.here.re.f * f.here.re.f + f.here.im.f * f.here.im.f) * Complex(f.here.re.f, -f.here.im.f);
+      return Complex((Complex(f.here.re.x, f.here.im.x) * inverse).imag(),
+                     (Complex(f.here.re.y, f.here.im.y) * inverse).imag());
+    };
+    const double change = 2 * change_of_logarithm(v.P, r) + change_of_logarithm(v.Q, r);
+    if (std::norm(2.0 * slope(v.P) + slope(v.Q)) > change * change)
+      return;
+    if (depth < deepest) {
+      const double q = h / 2;
+      for (const Complex d : {Complex(-q, -q), Complex(q, -q), Complex(-q, q), Complex(q, q)})
+        look_for_critical_points(z + d, q, depth + 1, found);
+      return;
+    }
+    if (!find_critical_point(z) || !polygon_.contains(0.9 * z) ||
+        std::any_of(found.begin(), found.end(), [&](const auto& c) { return std::norm(c.z - z) < apart * apart; }))
+      return;
+    // Lifted from the nearest corner, from where it turns little.
+    const auto nearest = std::min_element(corner_.begin(), corner_.end(),
+                                          [&](Complex a, Complex b) { return std::norm(a - z) < std::norm(b - z); });
+    const double phase = phase_[std::size_t(nearest - corner_.begin())] + turn(model_(*nearest), model_(z));
+    found.push_back({z, phase, model_.slopes(z).hessian() < 0});
   }
 
   bool is_on_level(const Critical_point& c) const {
@@ -331,8 +353,8 @@ private:
         continue;
       }
       const double sign = level % 2 == 0 ? 1 : -1;
-      const auto above = [&, s = sign](Complex z) { return std::arg(s * model_.phi(z)); };
-      const auto below = [&, s = sign](Complex z) { return -std::arg(s * model_.phi(z)); };
+      const auto above = [&, s = sign](Complex z) { return std::arg(s * model_(z).phi()); };
+      const auto below = [&, s = sign](Complex z) { return -std::arg(s * model_(z).phi()); };
       const std::size_t rise = met_.crossings[c[0]].rising ? 0 : 1; // above between c[rise] and the next
       const auto at = [&](std::size_t k) { return c[(rise + k) % 4]; };
       const std::array<Interval, 4> sides{best_between(at(0), at(1), above), best_between(at(1), at(2), below),

@@ -45,7 +45,7 @@ private:
       im = Complex(-j.re.y, j.re.x) / det;
     }
     Complex step(double a, double b) const { return a * re + b * im; }
-    double length(double a, double b) const { return a * std::abs(re) + b * std::abs(im); }
+    double length(double a, double b) const { return a * std::sqrt(std::norm(re)) + b * std::sqrt(std::norm(im)); }
   };
 
   static bool keeps_off_zero(const Plane_jet& j, const Plane_range& within, double wrong, double r) {
@@ -60,8 +60,8 @@ private:
       result_.certain = false;
       return;
     }
-    const double r = std::numbers::sqrt2 * h;
-    if (!cell_.contains(z) && cell_.distance_to_border(z) > r + least_distance)
+    const double r = depth == 0 ? 1 : std::numbers::sqrt2 * h; // the cell lies in the unit circle
+    if (depth > 0 && !cell_.contains(z) && cell_.distance_to_border(z) > r + least_distance)
       return;
     const Field_view view = model_.view(field_, z, r);
     const Field_jets& here = view.here;
@@ -72,8 +72,8 @@ private:
     // … or the zero that the linear parts would have lies outside.
     const Inverse inverse(here);
     const double moved_by_error = inverse.length(wrong.re, wrong.im);
-    if (std::abs(inverse.step(here.re.f, here.im.f)) >
-        r + inverse.length(view.re.remainder, view.im.remainder) + moved_by_error)
+    const double near = r + inverse.length(view.re.remainder, view.im.remainder) + moved_by_error;
+    if (std::norm(inverse.step(here.re.f, here.im.f)) > near * near)
       return;
     if (inverse.length(view.re.turn, view.im.turn) + slope_of_error * moved_by_error < one_to_one) {
       if (const auto zero = newton(z, r))
