@@ -96,18 +96,24 @@ template <int Degree> void Cell_model::fit(const Flat_cell& flat, Complex w) {
   constexpr int size = monomials_of(Degree);
   const auto& points = flat.points.z;
   const Complex w_bar = std::conj(w), w2 = w_bar * w_bar, w3 = w2 * w_bar; // to the principal basis
-  const double step = weight_of_derivatives * scale_;
+  // Along the axes, over that part of the cell.
+  const Complex along = weight_of_derivatives * length_ * axis_,
+                across = weight_of_derivatives * width_ * Complex(0, 1) * axis_;
+  const auto derivative = [](const Flat_value& v, Complex step) { return step.real() * v.x + step.imag() * v.y; };
   // Coordinates of size 1 keep the normal equations well enough conditioned.
   Eigen::Matrix<double, size, size> A = Eigen::Matrix<double, size, size>::Zero();
   Eigen::Matrix<double, size, 6> b = Eigen::Matrix<double, size, 6>::Zero();
   const auto each = [&](const auto& use) {
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const Monomials<Degree> m(points[i] / scale_);
+      const Monomials<Degree> m(from_plane(points[i]));
       if (by_parts_) {
         const Flat_shape& s = flat.shapes[i];
         use(m.f, parts_of(w2 * s.Q.f, w_bar * s.A1.f, w3 * s.A3.f));
-        use(weight_of_derivatives * m.x, step * parts_of(w2 * s.Q.x, w_bar * s.A1.x, w3 * s.A3.x));
-        use(weight_of_derivatives * m.y, step * parts_of(w2 * s.Q.y, w_bar * s.A1.y, w3 * s.A3.y));
+        const auto parts_along = [&](Complex step) {
+          return parts_of(w2 * derivative(s.Q, step), w_bar * derivative(s.A1, step), w3 * derivative(s.A3, step));
+        };
+        use(weight_of_derivatives * m.x, parts_along(along));
+        use(weight_of_derivatives * m.y, parts_along(across));
       } else {
         const Complex P = w * flat.P[i], Q = w2 * flat.Q[i];
         Parts values;
@@ -137,7 +143,22 @@ template <int Degree> void Cell_model::fit(const Flat_cell& flat, Complex w) {
   });
 }
 
-Cell_model::Cell_model(const Flat_cell& flat, Complex Q) : by_parts_(flat.has_derivatives), scale_(flat.points.radius) {
+void Cell_model::choose_coordinates(const Planar_points& points) {
+  constexpr double narrowest = 1e-3;
+  const Planar_points::Moments m = points.moments();
+  const double mean = (m.xx + m.yy) / 2, difference = std::hypot((m.xx - m.yy) / 2, m.xy);
+  axis_ = std::polar(1.0, std::atan2(2 * m.xy, m.xx - m.yy) / 2);
+  length_ = std::sqrt(mean + difference);
+  width_ = std::max(std::sqrt(std::max(0.0, mean - difference)), narrowest * length_);
+  double radius2 = 0;
+  for (const Complex z : points.z)
+    radius2 = std::max(radius2, std::norm(from_plane(z)));
+  length_ *= std::sqrt(radius2);
+  width_ *= std::sqrt(radius2);
+}
+
+Cell_model::Cell_model(const Flat_cell& flat, Complex Q) : by_parts_(flat.has_derivatives) {
+  choose_coordinates(flat.points);
   const Complex w = std::polar(1.0, std::arg(Q) / 2);
   // A few equations more than unknowns tell how good the model is.
   const std::size_t equations = 3 * flat.points.z.size();

@@ -39,8 +39,9 @@ struct Field_view {
   Field_errors errors;
 };
 
-/// P and Q in a cell as functions of the place z = x + iy in its tangent plane, in units of the cell's radius. Φ = P² Q
-/// made of these is near to the true one also where its phase turns within a narrow strip.
+/// P and Q in a cell as functions of the place z = x + iy in its tangent plane: in coordinates along the long and the short axis
+/// of the cell, in which it is about as long as wide and fills the unit circle. Φ = P² Q made of these is near to the
+/// true one also where its phase turns within a narrow strip.
 ///
 /// The components are those in the principal basis of the middle. There P = |Q| (e1 + i e2): at a crease one part varies
 /// far more than the other, and so does its error, so each has an estimate of its own.
@@ -53,7 +54,12 @@ public:
   /// \param Q  at the middle, in the basis of `flat`
   Cell_model(const Flat_cell& flat, Complex Q);
 
-  double scale() const { return scale_; } ///< the radius of the cell
+  /// between the coordinates of the model and those of `flat`, which are lengths.
+  Complex from_plane(Complex z) const {
+    const Complex turned = z * std::conj(axis_);
+    return {turned.real() / length_, turned.imag() / width_};
+  }
+  Complex to_plane(Complex z) const { return Complex(length_ * z.real(), width_ * z.imag()) * axis_; }
   struct Fields {
     Complex P, Q;
     Complex phi() const { return P * P * Q; }
@@ -97,6 +103,7 @@ private:
   template <int Degree> Values values_of_degree(Complex z) const;
   template <int Degree> Jets jets_of_degree(Complex z) const;
   Plane_range range(Part part, const Plane_jet& here, double r) const;
+  void choose_coordinates(const Planar_points& points);
   template <int Degree> void fit(const Flat_cell& flat, Complex w);
 
   bool by_parts_ = false;
@@ -105,7 +112,8 @@ private:
   Eigen::Array<double, parts, most_monomials> c_;
   Values third_ = Values::Zero();    ///< more than |D³(t, t, t)| in the cell
   Values residual_ = Values::Zero(); ///< the greatest difference from what the part was fitted to
-  double scale_ = 1;
+  Complex axis_ = 1; ///< the direction of the long axis
+  double length_ = 1, width_ = 1;
 };
 
 } // namespace CGAL::Extremal_mesh_3

@@ -217,17 +217,26 @@ void Refined_complex::divide_cells(const std::vector<std::uint32_t>& ids) {
 void Refined_complex::analyse(const std::vector<std::uint32_t>& all, bool may_divide, std::vector<Edge_cut>* cuts) {
   Thread_pool pool(options_.threads);
   // In most cells nothing happens: what is found out about the others takes far less memory.
-  std::vector<char> empty(all.size());
-  pool.for_each(all.size(), 256, [&](std::size_t i) { empty[i] = is_plainly_empty(*this, cells_[all[i]]); });
+  enum class Known : char { no, empty, as_before };
+  std::vector<Known> known(all.size(), Known::no);
+  pool.for_each(all.size(), 256, [&](std::size_t i) {
+    const Refined_cell& cell = cells_[all[i]];
+    if (cuts && still_holds(*this, cell))
+      known[i] = Known::as_before;
+    else if (is_plainly_empty(*this, cell))
+      known[i] = Known::empty;
+  });
   std::vector<std::uint32_t> cells;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!empty[i]) {
+    if (known[i] == Known::no)
       cells.push_back(all[i]);
+    if (known[i] != Known::empty)
       continue;
-    }
     Refined_cell& cell = cells_[all[i]];
     cell.content = Content::lines;
     cell.certain = true;
+    cell.waits = false;
+    cell.crossings = 0;
     cell.winding_P = cell.winding_Q = 0;
   }
   std::vector<Cell_analysis> found(cells.size());
@@ -244,6 +253,7 @@ void Refined_complex::analyse(const std::vector<std::uint32_t>& all, bool may_di
     cell.winding_P = std::int8_t(std::clamp(found[i].winding_P, -100, 100));
     cell.winding_Q = std::int8_t(std::clamp(found[i].winding_Q, -100, 100));
     cell.joined = found[i].joined;
+    cell.crossings = std::uint8_t(std::min<std::size_t>(found[i].crossings, 255));
     if (found[i].sample) {
       cell.center = std::uint32_t(samples_.size());
       samples_.push_back(*found[i].sample);

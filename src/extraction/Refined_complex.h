@@ -59,6 +59,7 @@ struct Refined_cell {
   std::int8_t winding_P = 0, winding_Q = 0;
   /// where four crossings of one level can be joined in two ways: the sign of E_g on the side that is connected
   std::int8_t joined = 0;
+  std::uint8_t crossings = 0; ///< of its border, when it was looked at
 };
 
 class Refined_complex {

@@ -150,7 +150,7 @@ struct Judgement {
   bool may_be_umbilic = false; ///< Q may vanish
   bool one_umbilic = false;    ///< there is one, and no other zero; `course` tells of its branches
   Content content = Content::undecided;
-  Complex P_zero, Q_zero; ///< where the zeros should be, in units of the cell's radius
+  Complex P_zero, Q_zero; ///< where the zeros should be, in the plane of the cell
   Linear_field P, Q;      ///< of an umbilic: the gradients of the models, in the basis of the middle
   Line_course course;
 };
@@ -181,11 +181,11 @@ Judgement judge_linearly(const Refined_complex& complex, const std::vector<Half_
   return j;
 }
 
-/// the border in units of the cell's radius.
-Planar_polygon polygon_of(const Flat_cell& flat, double scale) {
+/// the border in the coordinates of a model.
+Planar_polygon polygon_of(const Flat_cell& flat, const Cell_model& model) {
   std::vector<Complex> corners;
   for (std::size_t i = 0; i < flat.border; ++i)
-    corners.push_back(flat.points.z[i] / scale);
+    corners.push_back(model.from_plane(flat.points.z[i]));
   return Planar_polygon(std::move(corners));
 }
 
@@ -202,7 +202,7 @@ Judgement judge_by_values(const Refined_complex& complex, const std::vector<Half
   if (!flat.flat || lifted_phase(complex, border, flat).empty())
     return j;
   const Cell_model model(flat, middle.shape.Q);
-  j.course = course_of_lines(complex, border, met, model, polygon_of(flat, model.scale()), most_edge_level);
+  j.course = course_of_lines(complex, border, met, model, polygon_of(flat, model), most_edge_level);
   if (j.course.certain)
     j.content = Content::lines;
   return j;
@@ -214,7 +214,7 @@ Judgement judge_by_model(const Refined_complex& complex, const std::vector<Half_
                          int most_edge_level) {
   Judgement j;
   const Cell_model model(flat, middle.shape.Q);
-  const Planar_polygon polygon = polygon_of(flat, model.scale());
+  const Planar_polygon polygon = polygon_of(flat, model);
   const Zeros_in_cell Q = zeros_in_cell(model, Field::Q, polygon);
   j.may_be_umbilic = !(Q.certain && Q.inside + Q.beside_border == 0);
   if (!Q.agree_with(wQ))
@@ -223,8 +223,8 @@ Judgement judge_by_model(const Refined_complex& complex, const std::vector<Half_
   j.known = P.agree_with(wP);
   if (!j.known)
     return j;
-  j.P_zero = P.place;
-  j.Q_zero = Q.place;
+  j.P_zero = model.to_plane(P.place);
+  j.Q_zero = model.to_plane(Q.place);
   Content content = Content::undecided;
   if (wP == 0 && wQ == 0) {
     j.course = course_of_lines(complex, border, met, model, polygon, most_edge_level);
@@ -290,6 +290,27 @@ bool has_generic_umbilic(const Refined_complex& complex, const std::vector<Half_
 
 } // namespace
 
+namespace {
+
+int winding_of_Q(const Refined_complex& complex, const std::vector<Half_edge>& border) {
+  double turn = 0;
+  for (const Half_edge h : border)
+    turn += h % 2 == 0 ? complex.edges()[h / 2].turn_Q : -complex.edges()[h / 2].turn_Q;
+  return int(std::lround((turn + 2 * complex.holonomy(border)) / (2 * pi)));
+}
+
+} // namespace
+
+bool still_holds(const Refined_complex& complex, const Refined_cell& cell) {
+  if (cell.content == Content::undecided || cell.content == Content::unresolved || !cell.certain || cell.waits)
+    return false;
+  std::vector<Half_edge> border;
+  complex.border(cell, border);
+  const Border_crossings met = border_crossings(complex, border);
+  return met.crossings.size() == cell.crossings && met.winding_phi == 2 * cell.winding_P + cell.winding_Q &&
+         winding_of_Q(complex, border) == cell.winding_Q;
+}
+
 bool is_plainly_empty(const Refined_complex& complex, const Refined_cell& cell) {
   constexpr double little = 1.5, far = 0.3;
   constexpr double nearly_flat = 0.9; // with normals that near, transport around the cell turns by less than ½
@@ -332,10 +353,8 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
   complex.border(cell, border);
   const Border_crossings met = border_crossings(complex, border);
 
-  double turn_Q = 0;
-  for (const Half_edge h : border)
-    turn_Q += h % 2 == 0 ? complex.edges()[h / 2].turn_Q : -complex.edges()[h / 2].turn_Q;
-  result.winding_Q = int(std::lround((turn_Q + 2 * complex.holonomy(border)) / (2 * pi)));
+  result.crossings = met.crossings.size();
+  result.winding_Q = winding_of_Q(complex, border);
   result.winding_P = (met.winding_phi - result.winding_Q) / 2;
   const int wP = result.winding_P, wQ = result.winding_Q;
   // Φ = P² Q. Where P or Q is 0 up to rounding, its turns are noise and need not fit.
@@ -375,8 +394,8 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
   }
   const auto zero_of = [&](Field field) {
     if (!complex.surface().interpolates())
-      return locate_zero(complex.surface(), field, middle, size * (field == Field::P ? judged.P_zero : judged.Q_zero),
-                         size, 2 * size);
+      return locate_zero(complex.surface(), field, middle, field == Field::P ? judged.P_zero : judged.Q_zero, size,
+                         2 * size);
     std::vector<const Sample*> around;
     for (const Half_edge h : border)
       around.push_back(&complex.samples()[complex.source(h)]);

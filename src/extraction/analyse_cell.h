@@ -28,6 +28,7 @@ Border_crossings border_crossings(const Refined_complex& complex, const std::vec
 struct Cell_analysis {
   Content content = Content::undecided;
   bool certain = true;
+  std::size_t crossings = 0;        ///< of the border
   int winding_P = 0, winding_Q = 0; ///< of P and Q around the border: a multiple of a full turn
   std::optional<Sample> sample;     ///< the vertex in the cell, or its middle
   std::int8_t joined = 0;           ///< as in `Refined_cell`
@@ -38,6 +39,10 @@ struct Cell_analysis {
 /// around it and Φ keeps far from the real axis. What is interpolated turns inside no further than around: there it is
 /// enough to be as far as that.
 bool is_plainly_empty(const Refined_complex& complex, const Refined_cell& cell);
+
+/// tells whether what was found in a cell still holds after edges of it were divided: it was certain, and they are crossed as
+/// often as it had seemed.
+bool still_holds(const Refined_complex& complex, const Refined_cell& cell);
 
 /// decides what a cell holds that is not plainly empty: windings of P and Q around its border count their zeros inside, and a linear model of
 /// each, with its error measured at the samples, tells whether there can be more than the windings say.

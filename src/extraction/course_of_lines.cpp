@@ -14,6 +14,8 @@ namespace CGAL::Extremal_mesh_3 {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+/// The error of the phase may change by this times itself over the cell.
+constexpr double slope_of_error = 4;
 
 /// the place of the greatest value of a function with one maximum in [low, high], by golden sections.
 template <class Function> double place_of_maximum(const Function& f, double low, double high, int steps) {
@@ -58,7 +60,7 @@ public:
         phase_(border_phase(complex, border)), most_edge_level_(most_edge_level) {}
 
   /// the lines around the one vertex that the cell holds.
-  Line_course around_vertex() const {
+  Line_course around_vertex() {
     Line_course course;
     const std::vector<Critical_point> critical = critical_points();
     const bool border = border_is_certain(course.cuts);
@@ -159,7 +161,7 @@ private:
   };
 
   /// the critical points of the phase in the cell.
-  std::vector<Critical_point> critical_points() const {
+  std::vector<Critical_point> critical_points() {
     std::vector<Critical_point> found;
     look_for_critical_points(0, 1, 0, found);
     return found;
@@ -177,9 +179,14 @@ private:
     return (length(v.re.turn, v.im.turn) + slope * change / size) / least;
   }
 
+  static double relative_error(const Field_view& v) {
+    return std::sqrt((v.errors.re * v.errors.re + v.errors.im * v.errors.im) /
+                     (v.here.re.f * v.here.re.f + v.here.im.f * v.here.im.f));
+  }
+
   /// looks into the square about z with sides of 2 h: divides it until the phase keeps rising in one direction; else Newton's
   /// method decides.
-  void look_for_critical_points(Complex z, double h, int depth, std::vector<Critical_point>& found) const {
+  void look_for_critical_points(Complex z, double h, int depth, std::vector<Critical_point>& found) {
     constexpr int deepest = 2;
     constexpr double apart = 1e-4;
     const double r = depth == 0 ? 1 : std::numbers::sqrt2 * h; // the cell lies in the unit circle
@@ -193,8 +200,12 @@ private:
                      (Complex(f.here.re.y, f.here.im.y) * inverse).imag());
     };
     const double change = 2 * change_of_logarithm(v.P, r) + change_of_logarithm(v.Q, r);
-    if (std::norm(2.0 * slope(v.P) + slope(v.Q)) > change * change)
+    const double rise = std::sqrt(std::norm(2.0 * slope(v.P) + slope(v.Q)));
+    if (rise > change) {
+      regular_ = regular_ && rise > change + slope_of_error * (2 * relative_error(v.P) + relative_error(v.Q));
       return;
+    }
+    regular_ = regular_ && depth < deepest;
     if (depth < deepest) {
       const double q = h / 2;
       for (const Complex d : {Complex(-q, -q), Complex(q, -q), Complex(-q, q), Complex(q, q)})
@@ -230,12 +241,35 @@ private:
                        [&](const auto& c) { return c.saddle && is_on_level(c) && !is_well_inside(c.z); });
   }
 
+  /// tells whether a straight way from an extremum to a corner meets no level: then no line closes around it.
+  bool is_open_to_border(const Critical_point& extremum) const {
+    constexpr int stations = 8;
+    const auto off_level = [&](Complex z, double phase) {
+      return levels_between(phase, extremum.phase) == 0 && distance_to_level(phase) > rounding + model_.phase_error(z);
+    };
+    for (std::size_t i = 0; i < corner_.size(); ++i) {
+      if (levels_between(phase_[i], extremum.phase) != 0)
+        continue;
+      Fields before = model_(extremum.z);
+      double phase = extremum.phase;
+      bool open = off_level(extremum.z, phase);
+      for (int k = 1; k <= stations && open; ++k) {
+        const Complex z = extremum.z + double(k) / stations * (corner_[i] - extremum.z);
+        const Fields here = model_(z);
+        phase += turn(before, here);
+        before = here;
+        open = (k == stations || polygon_.contains(z)) && off_level(z, phase);
+      }
+      if (open)
+        return true;
+    }
+    return false;
+  }
+
   /// tells whether no line closes inside: around one that does there would be an extremum of the phase.
   bool has_no_closed_line(const std::vector<Critical_point>& critical) const {
-    const double least = *std::min_element(phase_.begin(), phase_.end());
-    return std::all_of(critical.begin(), critical.end(), [&](const Critical_point& c) {
-      return !is_on_level(c) && (c.saddle || (met_.crossings.empty() && levels_between(c.phase, least) == 0));
-    });
+    return std::all_of(critical.begin(), critical.end(),
+                       [&](const Critical_point& c) { return !is_on_level(c) && (c.saddle || is_open_to_border(c)); });
   }
 
   /// Newton's method for ∇φ = 0.
@@ -338,7 +372,7 @@ private:
     bool one = false;
     for (const auto& [level, c] : of_level) {
       if (c.size() == 2) {
-        if (!both_sides_are_clear(level))
+        if (!regular_ && !both_sides_are_clear(level))
           return false;
         continue;
       }
@@ -377,9 +411,10 @@ private:
   const Border_crossings& met_;
   const Cell_model& model_;
   const Planar_polygon& polygon_;
-  const std::vector<Complex>& corner_; ///< of the border, in units of the radius
+  const std::vector<Complex>& corner_; ///< of the border, in the coordinates of the model
   std::vector<double> phase_;          ///< lifted, of the corners, and once more of the first one
   int most_edge_level_;
+  bool regular_ = true; ///< the phase has no critical point, even if the model is wrong by its error
 };
 
 } // namespace
