@@ -63,7 +63,7 @@ Sample::Sample(const Point& point, const Local_shape& local_shape, bool is_exact
 Complex frame_turn(const Sample& a, const Sample& b) {
   const Vector u = transport(a.shape.n, b.shape.n, a.shape.u);
   const Complex z(dot(u, b.shape.u), dot(u, b.shape.v()));
-  return z / std::abs(z);
+  return z / std::sqrt(std::norm(z));
 }
 
 Moved_fields moved_to(const Sample& a, const Sample& b) {

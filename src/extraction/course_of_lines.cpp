@@ -94,7 +94,11 @@ private:
   /// P and Q turn by less than π between places near to each other, where their phase may turn further.
   using Fields = Cell_model::Fields;
   static double turn(const Fields& from, const Fields& to) {
-    return 2 * std::arg(to.P * std::conj(from.P)) + std::arg(to.Q * std::conj(from.Q));
+    const Complex p = to.P * std::conj(from.P), q = to.Q * std::conj(from.Q);
+    // Turns of less than π/4 cannot add up to half a turn.
+    if (p.real() > std::abs(p.imag()) && q.real() > std::abs(q.imag()))
+      return std::arg(p * p * q);
+    return 2 * std::arg(p) + std::arg(q);
   }
 
   /// The phase along an edge at steps of 1/steps, lifted from the one at its first end.
@@ -278,11 +282,11 @@ private:
       const auto s = model_.slopes(z);
       const double det = s.hessian();
       Complex step((s.y * s.xy - s.x * s.yy) / det, (s.x * s.xy - s.y * s.xx) / det);
-      const double length = std::abs(step);
+      const double length = std::sqrt(std::norm(step));
       if (!(length < 1e3))
         return false;
       z += length > 0.5 ? 0.5 / length * step : step;
-      if (std::abs(z) > 1.5)
+      if (std::norm(z) > 1.5 * 1.5)
         return false;
       if (length < 1e-8)
         return true;

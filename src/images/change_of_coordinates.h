@@ -44,6 +44,10 @@ template <int Order> struct Tensor_entries {
   }
 };
 
+inline bool is_diagonal(const Matrix& J) {
+  return J[0][1] == 0 && J[0][2] == 0 && J[1][0] == 0 && J[1][2] == 0 && J[2][0] == 0 && J[2][1] == 0;
+}
+
 /// takes the partial derivatives of order `Order` of a function F to those of the function `p ↦ scale · F(J p)`.
 /// \param out  the entries with sorted indices, as in `Derivatives`
 template <int Order>
@@ -51,6 +55,19 @@ void change_coordinates(const Partials& partials, const Matrix& J, double scale,
                         std::array<double, symmetric_size(Order)>& out) {
   static constexpr Tensor_entries<Order> entries;
   constexpr std::size_t n = tensor_size(Order);
+  if (is_diagonal(J)) { // most images have their axes along the coordinates
+    std::array<std::array<double, Order + 1>, 3> powers;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      powers[axis][0] = 1;
+      for (std::size_t i = 1; i <= Order; ++i)
+        powers[axis][i] = powers[axis][i - 1] * J[axis][axis];
+    }
+    for (std::size_t entry = 0; entry < out.size(); ++entry) {
+      const auto& [a, b, c] = entries.powers[entries.sorted[entry]];
+      out[entry] = scale * partials[a][b][c] * (powers[0][a] * powers[1][b] * powers[2][c]);
+    }
+    return;
+  }
   std::array<double, n> t;
   for (std::size_t entry = 0; entry < n; ++entry) {
     const auto& power = entries.powers[entry];

@@ -3,6 +3,7 @@
 #ifndef CGAL_EXTREMAL_MESH_3_SRC_IMAGES_LANES_H
 #define CGAL_EXTREMAL_MESH_3_SRC_IMAGES_LANES_H
 
+#include <cstddef>
 #include <cstring>
 
 namespace CGAL::Extremal_mesh_3 {
@@ -10,7 +11,16 @@ namespace CGAL::Extremal_mesh_3 {
 // Several numbers at once, in GCC's and Clang's own types: they compile for any processor, and always to the same
 // operations in the same order. Plain loops were left with their sums in memory, three times slower.
 using Four_floats = float __attribute__((vector_size(16)));
-using Two_doubles = double __attribute__((vector_size(16)));
+
+/// As many doubles as go into a row of `Width` of them without a rest: four or two.
+template <int Width, bool = Width % 4 == 0> struct Lanes {
+  static constexpr std::size_t number = 4;
+  using Doubles = double __attribute__((vector_size(32)));
+};
+template <int Width> struct Lanes<Width, false> {
+  static constexpr std::size_t number = 2;
+  using Doubles = double __attribute__((vector_size(16)));
+};
 
 inline Four_floats load(const float* p) {
   Four_floats v;

@@ -22,7 +22,7 @@ template <int Degree, int Order> using Spline_weights = std::array<std::array<do
 
 /// computes the values and derivatives up to `Order` of the uniform B-splines at the fraction `t` of a cell.
 /// The coefficients are those of the nodes `i − (Degree−1)/2` to `i + (Degree+1)/2`, the point being `i + t`.
-template <int Degree, int Order> Spline_weights<Degree, Order> spline_weights(double t) {
+template <int Degree, int Order> [[gnu::always_inline]] inline Spline_weights<Degree, Order> spline_weights(double t) {
   Spline_weights<Degree, Order> weights;
   std::array<double, Degree + 1> b{1}; // of degree 0
 #pragma GCC unroll 8
@@ -60,9 +60,12 @@ struct Spline_volume {
 using Partials =
     std::array<std::array<std::array<double, max_spline_order + 1>, max_spline_order + 1>, max_spline_order + 1>;
 
-/// computes the spline's derivatives of all orders up to `Order` at `u`, given in units of the lattice.
-/// \pre `u` is finite
-template <int Degree, int Order> void evaluate_spline(const Spline_volume& volume, const Point& u, Partials& partials) {
+namespace internal {
+
+/// what `evaluate_spline()` does, for whatever processor it is compiled for.
+template <int Degree, int Order>
+[[gnu::always_inline]] inline void evaluate_spline_here(const Spline_volume& volume, const Point& u,
+                                                        Partials& partials) {
   constexpr std::size_t width = Degree + 1;
   constexpr std::size_t orders = Order + 1;
   std::array<Spline_weights<Degree, Order>, 3> w;
@@ -79,10 +82,12 @@ template <int Degree, int Order> void evaluate_spline(const Spline_volume& volum
   const bool within_row = node[0][width - 1] - node[0][0] == width - 1;
 
   // z first, then y, with the row along x side by side in the vector unit; the sums have a fixed order.
-  constexpr std::size_t pairs = width / 2;
-  Two_doubles yz[orders][orders][pairs] = {}; // [order in z][order in y]
+  constexpr std::size_t lanes = Lanes<Degree + 1>::number;
+  using Doubles = typename Lanes<Degree + 1>::Doubles;
+  constexpr std::size_t groups = width / lanes;
+  Doubles yz[orders][orders][groups] = {}; // [order in z][order in y]
   for (std::size_t j = 0; j < width; ++j) {
-    Two_doubles z[orders][pairs] = {};
+    Doubles z[orders][groups] = {};
     for (std::size_t k = 0; k < width; ++k) {
       const float* row = volume.coefficients.data() + volume.size[0] * (node[1][j] + volume.size[1] * node[2][k]);
       float clamped[width];
@@ -94,8 +99,11 @@ template <int Degree, int Order> void evaluate_spline(const Spline_volume& volum
         row = clamped;
       }
 #pragma GCC unroll 4
-      for (std::size_t i = 0; i < pairs; ++i) {
-        const Two_doubles c_i = {static_cast<double>(row[2 * i]), static_cast<double>(row[2 * i + 1])};
+      for (std::size_t i = 0; i < groups; ++i) {
+        Doubles c_i;
+#pragma GCC unroll 4
+        for (std::size_t l = 0; l < lanes; ++l)
+          c_i[l] = static_cast<double>(row[lanes * i + l]);
 #pragma GCC unroll 5
         for (std::size_t c = 0; c < orders; ++c)
           z[c][i] += w[2][c][k] * c_i;
@@ -106,7 +114,7 @@ template <int Degree, int Order> void evaluate_spline(const Spline_volume& volum
 #pragma GCC unroll 5
       for (std::size_t b = 0; b + c < orders; ++b)
 #pragma GCC unroll 4
-        for (std::size_t i = 0; i < pairs; ++i)
+        for (std::size_t i = 0; i < groups; ++i)
           yz[c][b][i] += w[1][b][j] * z[c][i];
   }
   for (std::size_t c = 0; c < orders; ++c)
@@ -114,10 +122,32 @@ template <int Degree, int Order> void evaluate_spline(const Spline_volume& volum
       for (std::size_t a = 0; a + b + c < orders; ++a) {
         double sum = 0;
 #pragma GCC unroll 4
-        for (std::size_t i = 0; i < pairs; ++i)
-          sum += w[0][a][2 * i] * yz[c][b][i][0] + w[0][a][2 * i + 1] * yz[c][b][i][1];
+        for (std::size_t i = 0; i < width; i += 2)
+          sum += w[0][a][i] * yz[c][b][i / lanes][i % lanes] + w[0][a][i + 1] * yz[c][b][i / lanes][i % lanes + 1];
         partials[a][b][c] = sum;
       }
+}
+
+#ifdef __x86_64__
+/// the same with AVX2, where a row of eight coefficients is two operands. The operations and their order are the same, and so
+/// is the result, to the last bit.
+template <int Degree, int Order>
+[[gnu::target("avx2")]] void evaluate_spline_avx2(const Spline_volume& volume, const Point& u, Partials& partials) {
+  evaluate_spline_here<Degree, Order>(volume, u, partials);
+}
+#endif
+
+} // namespace internal
+
+/// computes the spline's derivatives of all orders up to `Order` at `u`, given in units of the lattice.
+/// \pre `u` is finite
+template <int Degree, int Order> void evaluate_spline(const Spline_volume& volume, const Point& u, Partials& partials) {
+#ifdef __x86_64__
+  static const bool has_avx2 = __builtin_cpu_supports("avx2");
+  if (has_avx2)
+    return internal::evaluate_spline_avx2<Degree, Order>(volume, u, partials);
+#endif
+  internal::evaluate_spline_here<Degree, Order>(volume, u, partials);
 }
 
 } // namespace CGAL::Extremal_mesh_3
