@@ -16,10 +16,12 @@ using Four_floats = float __attribute__((vector_size(16)));
 template <int Width, bool = Width % 4 == 0> struct Lanes {
   static constexpr std::size_t number = 4;
   using Doubles = double __attribute__((vector_size(32)));
+  using Floats = float __attribute__((vector_size(16)));
 };
 template <int Width> struct Lanes<Width, false> {
   static constexpr std::size_t number = 2;
   using Doubles = double __attribute__((vector_size(16)));
+  using Floats = float __attribute__((vector_size(8)));
 };
 
 inline Four_floats load(const float* p) {

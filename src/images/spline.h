@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <vector>
 
 namespace CGAL::Extremal_mesh_3 {
@@ -100,10 +101,9 @@ template <int Degree, int Order>
       }
 #pragma GCC unroll 4
       for (std::size_t i = 0; i < groups; ++i) {
-        Doubles c_i;
-#pragma GCC unroll 4
-        for (std::size_t l = 0; l < lanes; ++l)
-          c_i[l] = static_cast<double>(row[lanes * i + l]);
+        typename Lanes<Degree + 1>::Floats stored;
+        std::memcpy(&stored, row + lanes * i, sizeof stored);
+        const Doubles c_i = __builtin_convertvector(stored, Doubles);
 #pragma GCC unroll 5
         for (std::size_t c = 0; c < orders; ++c)
           z[c][i] += w[2][c][k] * c_i;
