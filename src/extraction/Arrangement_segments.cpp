@@ -30,7 +30,7 @@ Line_place Arrangement::at_node(std::uint32_t id, int family, const Line_place& 
   const Refined_cell& cell = complex_.cells()[node.cell];
   const Sample& s = complex_.samples()[cell.center];
   const Principal_quantities q = principal_quantities(s.shape);
-  Line_place place{s.p, s.shape.n, q.k1, q.k2, beside.derivative, beside.extremality};
+  Line_place place{s.p, s.shape.n, q.k1, q.k2, beside.derivative, beside.extremality, {}};
   if (cell.content == Content::extremal_point) {
     place.derivative = node.derivative[std::size_t(family - 1)];
     place.extremality = 0;

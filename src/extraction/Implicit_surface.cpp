@@ -60,12 +60,18 @@ Sample Implicit_surface::sample_at(const Point& p) const {
   return sample_of(p, local_shape(d), d, highest);
 }
 
-double Implicit_surface::extremality_derivative(const Sample& s, int family, double step) const {
+void Implicit_surface::add_fourth(Sample& s) const {
+  if (s.has_fourth || f_.max_order() < 4)
+    return;
   Derivatives d;
-  if (f_.max_order() >= 4) {
-    f_.derivatives(s.p, 4, d);
-    return CGAL::Extremal_mesh_3::extremality_derivative(d, s.shape, family);
-  }
+  f_.derivatives(s.p, 4, d);
+  s.fourth = fourth_order_form(d, s.shape);
+  s.has_fourth = true;
+}
+
+double Implicit_surface::extremality_derivative(const Sample& s, int family, double step) const {
+  if (s.has_fourth)
+    return CGAL::Extremal_mesh_3::extremality_derivative(s.shape, s.fourth, family);
   // Difference of e along t, the direction being carried along.
   const Principal_quantities here = principal_quantities(s.shape);
   const Vector t = family == 1 ? here.t1 : here.t2;

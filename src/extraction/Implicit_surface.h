@@ -16,6 +16,7 @@ public:
 
   std::optional<Sample> sample(const Point& x, const Vector& direction, double reach, double accuracy,
                                Detail detail) const override;
+  void add_fourth(Sample& s) const override;
   double extremality_derivative(const Sample& s, int family, double step) const override;
 
   /// the sample at a point that lies on the surface already.

@@ -17,8 +17,8 @@ namespace {
 constexpr double least_cosine = 0.4;
 
 std::optional<Sample> accepted(const Surface& surface, const Point& x, const Vector& direction, double reach,
-                               double accuracy) {
-  auto s = surface.sample(x, direction, reach, accuracy);
+                               double accuracy, Detail detail) {
+  auto s = surface.sample(x, direction, reach, accuracy, detail);
   if (s && dot(s->shape.n, direction) < least_cosine)
     return std::nullopt;
   return s;
@@ -49,6 +49,19 @@ Shape_derivatives shape_derivatives(const Local_shape& s, const Fourth_order_for
   const Complex KQ = (s.H * s.H - std::norm(s.Q)) * s.Q;
   const Complex dbar_A1 = 0.75 * (D.D2 - KQ);
   return {{s.A1 / 3.0, s.A3}, {D.D0, dbar_A1}, {dbar_A1 / 3.0 + KQ, D.D4}};
+}
+
+Field_gradients field_gradients(const Sample& sample) {
+  const Local_shape& s = sample.shape;
+  const Shape_derivatives d = shape_derivatives(s, sample.fourth);
+  const auto along = [](const Shape_derivatives::Pair& x, Complex z) { return x.z * z + x.z_bar * std::conj(z); };
+  const auto dQ = [&](Complex z) { return along(d.Q, z); };
+  const auto dP = [&](Complex z) {
+    return std::conj(along(d.A3, z)) * s.Q + std::conj(s.A3) * dQ(z) + along(d.A1, z) * std::conj(s.Q) +
+           s.A1 * std::conj(dQ(z));
+  };
+  const Complex u(1, 0), v(0, 1);
+  return {{dP(u), dP(v)}, {dQ(u), dQ(v)}};
 }
 
 Sample::Sample(const Point& point, const Local_shape& local_shape, bool is_exact)
@@ -99,7 +112,8 @@ Sample interpolate(const Surface& surface, const std::vector<const Sample*>& sam
   return result;
 }
 
-Sample sample_between(const Surface& surface, const Sample& a, const Sample& b, double t, double accuracy) {
+Sample sample_between(const Surface& surface, const Sample& a, const Sample& b, double t, double accuracy,
+                      Detail detail) {
   if (surface.interpolates())
     return interpolate(surface, {&a, &b}, {1 - t, t});
   const Vector chord = b.p - a.p;
@@ -114,7 +128,7 @@ Sample sample_between(const Surface& surface, const Sample& a, const Sample& b, 
       const double slope_a = -dot(chord, a.shape.n) / na, slope_b = -dot(chord, b.shape.n) / nb;
       x = x + (t * (1 - t) * ((1 - t) * slope_a - t * slope_b)) * n;
     }
-    if (const auto s = accepted(surface, x, n, reach, accuracy))
+    if (const auto s = accepted(surface, x, n, reach, accuracy, detail))
       return *s;
   }
   return interpolate(surface, {&a, &b}, {1 - t, t});
@@ -142,7 +156,7 @@ Sample sample_amid(const Surface& surface, const std::vector<const Sample*>& cor
       // On a paraboloid the surface lies half way to the tangent plane of a corner, on average.
       height += 0.5 * w * dot(s->p - x, s->shape.n) / cosine;
     }
-    if (const auto s = accepted(surface, flat ? x + height * n : x, n, radius, Surface::to_look))
+    if (const auto s = accepted(surface, flat ? x + height * n : x, n, radius, Surface::to_look, Detail::fourth_order))
       return *s;
   }
   return interpolate(surface, corners, std::vector<double>(corners.size(), w));

@@ -5,6 +5,8 @@
 #ifndef EXTREMAL_MESH_3_SRC_EXTRACTION_SAMPLE_H
 #define EXTREMAL_MESH_3_SRC_EXTRACTION_SAMPLE_H
 
+#include "../differential/umbilic_lines.h"
+
 #include <CGAL/Extremal_mesh_3/Differential_quantities.h>
 
 #include <complex>
@@ -59,6 +61,8 @@ public:
   /// ∇e_i·t_i, for the family i.
   /// \param step  a length that is small here, for surfaces that must take differences
   virtual double extremality_derivative(const Sample& s, int family, double step) const = 0;
+  /// gives a sample its fourth-order form, where the surface has derivatives for it.
+  virtual void add_fourth(Sample&) const {}
   /// there are no samples but those given at vertices: what is interpolated between them *is* the surface.
   virtual bool interpolates() const { return false; }
 
@@ -67,6 +71,12 @@ protected:
   Surface(const Surface&) = default;
   Surface& operator=(const Surface&) = default;
 };
+
+/// The derivatives of P and Q along u and v at a sample that has its fourth-order form.
+struct Field_gradients {
+  Linear_field P, Q;
+};
+Field_gradients field_gradients(const Sample& s);
 
 /// e^{iα}, α being the angle from b's basis to a's after parallel transport from a to b along the shortest way between
 /// their normals. A quantity of spin s at a has the components X e^{isα} in b's basis (P: −1, Q: 2, A1: 1, A3: 3).
@@ -86,7 +96,7 @@ Sample interpolate(const Surface& surface, const std::vector<const Sample*>& sam
 /// the point of the surface above the chord from a to b at parameter t; interpolated where the surface cannot be
 /// reached. Exchanging the ends and taking 1 − t gives the same point, to the last bit for t = ½.
 Sample sample_between(const Surface& surface, const Sample& a, const Sample& b, double t,
-                      double accuracy = Surface::to_look);
+                      double accuracy = Surface::to_look, Detail detail = Detail::fourth_order);
 
 /// the same above the centroid of several samples.
 Sample sample_amid(const Surface& surface, const std::vector<const Sample*>& corners);

@@ -26,16 +26,8 @@ Complex value_moved(Field field, const Sample& a, const Sample& b) {
 /// win three digits a step, and far from rounding.
 std::optional<Linear_field> gradient_of(const Surface& surface, Field field, const Sample& s, double size) {
   if (s.has_fourth) {
-    const Shape_derivatives d = shape_derivatives(s.shape, s.fourth);
-    const auto along = [](const Shape_derivatives::Pair& x, Complex z) { return x.z * z + x.z_bar * std::conj(z); };
-    const auto derivative = [&](Complex z) {
-      const Complex dQ = along(d.Q, z);
-      if (field == Field::Q)
-        return dQ;
-      return std::conj(along(d.A3, z)) * s.shape.Q + std::conj(s.shape.A3) * dQ +
-             along(d.A1, z) * std::conj(s.shape.Q) + s.shape.A1 * std::conj(dQ);
-    };
-    return Linear_field{derivative({1, 0}), derivative({0, 1})};
+    const Field_gradients gradients = field_gradients(s);
+    return field == Field::P ? gradients.P : gradients.Q;
   }
   const double h = 1e-3 * size;
   const auto su = surface.sample(s.p + h * s.shape.u, s.shape.n, size, Surface::to_place);

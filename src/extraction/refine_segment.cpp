@@ -79,6 +79,39 @@ std::optional<double> lowest_point(const Line_place* before, const Line_place& a
   return std::nullopt;
 }
 
+/// A line that leaves an end of a segment by more than this from its direction is followed more closely, if no tolerance
+/// is given: so that it keeps to this part of the segment's length.
+constexpr double greatest_angle = 0.25, part_of_length = 0.03;
+
+/// the tangent at one of two places, along the way from the one to the other; 0 if it is not known.
+Vector tangent_along(const Line_place& at, const Vector& way) {
+  return dot(at.tangent, way) < 0 ? -1 * at.tangent : at.tangent;
+}
+
+bool is_bent(const Segment& segment) {
+  const Vector way = normalized(segment.ends[1].at.p - segment.ends[0].at.p);
+  return std::any_of(segment.ends.begin(), segment.ends.end(), [&](const Segment::End& end) {
+    const Vector t = tangent_along(end.at, way);
+    return dot(t, t) > 0 && norm(t - way) > greatest_angle;
+  });
+}
+
+/// how far the line should be from the middle of the chord between two places, to the left: that of the cubic with the tangents
+/// there.
+double expected_bend(const Line_place& a, const Line_place& b) {
+  const Vector way = b.p - a.p, left = normalized(cross(a.n + b.n, way));
+  constexpr double steepest = 1;
+  const double length = norm(way);
+  double bend = 0;
+  for (const auto& [at, sign] : {std::pair{&a, 1.0}, std::pair{&b, -1.0}}) {
+    const Vector t = tangent_along(*at, way);
+    const double forward = dot(t, way) / length;
+    if (forward > 0)
+      bend += sign * std::clamp(dot(t, left) / forward, -steepest, steepest) * length / 8;
+  }
+  return bend;
+}
+
 /// A place on the segment at the parameter t of its chord.
 struct Station {
   double t = 0;
@@ -89,12 +122,13 @@ struct Station {
 class Segment_refiner {
 public:
   Segment_refiner(const Surface& surface, const Segment& segment, double tolerance)
-      : surface_(surface), segment_(segment), tolerance_(tolerance),
-        length_(distance(segment.ends[0].at.p, segment.ends[1].at.p)) {}
+      : surface_(surface), segment_(segment), length_(distance(segment.ends[0].at.p, segment.ends[1].at.p)),
+        tolerance_(tolerance > 0 || !segment.may_bend || !is_bent(segment) ? tolerance : part_of_length * length_) {}
 
   Segment_points refine() {
     if (segment_.may_bend)
-      if (const auto placed = place(segment_.ends[0].at, segment_.ends[1].at, 0.5, 0);
+      if (const auto placed = place(segment_.ends[0].at, segment_.ends[1].at, 0.5,
+                                    expected_bend(segment_.ends[0].at, segment_.ends[1].at));
           placed && std::abs(placed->offset) > strong_bend * length_)
         return refine_halves(line_place(surface_, placed->sample, segment_.family, 1e-3 * length_));
     if (!find_type_changes()) {
@@ -123,7 +157,7 @@ private:
 
   const Surface& surface_;
   const Segment& segment_;
-  const double tolerance_, length_;
+  const double length_, tolerance_;
   std::vector<Station> stations_; ///< in order, with the ends
   Segment_points result_;
 };
@@ -310,7 +344,7 @@ bool Segment_refiner::find_zero(Station low, Station high, Type_change_kind kind
 }
 
 std::optional<Line_place> Segment_refiner::middle_of(const Line_place& a, const Line_place& b) const {
-  const auto s = place(a, b, 0.5, 0);
+  const auto s = place(a, b, 0.5, expected_bend(a, b));
   if (!s)
     return std::nullopt;
   return line_place(surface_, s->sample, segment_.family, 1e-3 * length_);
@@ -354,20 +388,31 @@ bool Segment_refiner::follow(const Line_place& a, const Line_place& middle, cons
 
 } // namespace
 
-Line_place line_place(const Surface& surface, const Sample& s, int family, double step) {
+Line_place line_place(const Surface& surface, Sample s, int family, double step) {
+  surface.add_fourth(s);
   const Principal_quantities q = principal_quantities(s.shape);
   const double derivative = surface.extremality_derivative(s, family, step);
-  return {s.p,
-          s.shape.n,
-          q.k1,
-          q.k2,
-          std::isfinite(derivative) ? derivative : 0, // infinite where k1 = k2
-          std::abs(family == 1 ? q.e2 : q.e1)};
+  Line_place place{s.p,
+                   s.shape.n,
+                   q.k1,
+                   q.k2,
+                   std::isfinite(derivative) ? derivative : 0, // infinite where k1 = k2
+                   std::abs(family == 1 ? q.e2 : q.e1),
+                   {}};
+  if (s.has_fourth) {
+    // Along the line the phase of Φ = P² Q does not change.
+    const Field_gradients d = field_gradients(s);
+    const double x = (2.0 * d.P.x / s.P + d.Q.x / s.shape.Q).imag(), y = (2.0 * d.P.y / s.P + d.Q.y / s.shape.Q).imag();
+    const double slope = std::sqrt(x * x + y * y);
+    if (std::isfinite(slope) && slope > 0)
+      place.tangent = (-y / slope) * s.shape.u + (x / slope) * s.shape.v();
+  }
+  return place;
 }
 
 bool may_have_points(const Segment& segment, double tolerance) {
   const auto& [a, b] = segment.ends;
-  if (tolerance > 0 || (segment.may_bend && (a.umbilic || b.umbilic)))
+  if (tolerance > 0 || (segment.may_bend && (a.umbilic || b.umbilic || is_bent(segment))))
     return true;
   return std::any_of(kinds.begin(), kinds.end(), [&](Type_change_kind kind) {
     return changes_sign(a.at, b.at, kind, segment.family) ||

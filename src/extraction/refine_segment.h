@@ -22,11 +22,12 @@ struct Line_place {
   double k1 = 0, k2 = 0;
   double derivative = 0;  ///< ∇e_i·t_i of the line's family i; NaN where it is not known
   double extremality = 0; ///< |e_j| of the other family
+  Vector tangent{};       ///< of the line, unit; 0 where it is not known
 };
 
 /// what is stored at a point of a line.
 /// \param step  a length that is small there, for surfaces that must take differences
-Line_place line_place(const Surface& surface, const Sample& s, int family, double step);
+Line_place line_place(const Surface& surface, Sample s, int family, double step);
 
 /// A point of a line within a cell.
 struct Line_point : Line_place {
@@ -59,7 +60,8 @@ struct Segment_points {
 };
 
 /// finds the points of a line between the ends of a segment: where its type changes, and where it bends so that no point
-/// of it is farther than `tolerance` from the polyline (0: as it is).
+/// of it is farther than `tolerance` from the polyline (0: than a small part of the segment, as far as the tangents at its ends
+/// tell).
 Segment_points refine_segment(const Surface& surface, const Segment& segment, double tolerance);
 
 } // namespace CGAL::Extremal_mesh_3
