@@ -33,8 +33,9 @@ namespace {
 constexpr std::string_view usage =
     "usage: registration_experiment (IMAGE --iso V | --surfaces) --sigma MM [--motions 20] [--first SEED] [--noise "
     "0.02]\n"
-    "                               [--cut] [--keep FOLDER | --graphs FOLDER] -o results.csv\n"
+    "                               [--cut | --cut-one] [--keep FOLDER | --graphs FOLDER] -o results.csv\n"
     "--surfaces: random ellipsoids instead of an image; --cut: a third of each image is cut away, on different sides;\n"
+    "--cut-one: of the second one only;\n"
     "--keep: the graphs are written there; --graphs: they are read from there, where --keep wrote them\n"
     "example: registration_experiment data/skull_2.9.nrrd --iso 2.9 --sigma 4 -o results.csv\n";
 
@@ -45,7 +46,7 @@ struct Usage_error : std::runtime_error {
 struct Options {
   std::string image, output, keep, graphs;
   std::optional<double> iso, sigma;
-  bool surfaces = false, cut = false;
+  bool surfaces = false, cut = false, cut_one = false;
   unsigned motions = 20, first = 1;
   double noise = 0.02; ///< deviation, in contrasts between above and below the iso value
 };
@@ -62,8 +63,8 @@ Options read_options(int argc, char** argv) {
   Options options;
   for (int i = 1; i < argc; ++i) {
     const std::string name = argv[i];
-    if (name == "--surfaces" || name == "--cut") {
-      (name == "--cut" ? options.cut : options.surfaces) = true;
+    if (name == "--surfaces" || name == "--cut" || name == "--cut-one") {
+      (name == "--cut" ? options.cut : name == "--cut-one" ? options.cut_one : options.surfaces) = true;
       continue;
     }
     if (!name.starts_with("-")) {
@@ -167,7 +168,7 @@ Extremal_mesh second_mesh(const Image& image, const surfaces::Motion& motion, un
   if (!options.graphs.empty())
     return read_graphml(graph_of_second(options.graphs, seed));
   const float lowest = *std::min_element(image.voxels.begin(), image.voxels.end());
-  Image second = resampled_image::moved(options.cut ? cut(image, 1, false) : image, motion, lowest,
+  Image second = resampled_image::moved(options.cut || options.cut_one ? cut(image, 1, false) : image, motion, lowest,
                                         resampled_image::other_steps(image.lattice));
   resampled_image::add_noise(second, options.noise * resampled_image::contrast(image, *options.iso), seed);
   Extremal_mesh mesh = mesh_of(std::move(second), options, voxel);
