@@ -10,7 +10,7 @@
 #include <CGAL/Extremal_mesh_3/io.h>
 #include <CGAL/Extremal_mesh_3/register.h>
 
-#include "../test/random_surfaces.h"
+#include "../test/ellipsoid_image.h"
 #include "../test/resampled_image.h"
 
 #include <fmt/format.h>
@@ -33,9 +33,10 @@ namespace {
 constexpr std::string_view usage =
     "usage: registration_experiment (IMAGE --iso V | --surfaces) --sigma MM [--motions 20] [--first SEED] [--noise "
     "0.02]\n"
-    "                               [--cut] [--keep FOLDER] -o results.csv\n"
+    "                               [--cut | --cut-one] [--keep FOLDER | --graphs FOLDER] -o results.csv\n"
     "--surfaces: random ellipsoids instead of an image; --cut: a third of each image is cut away, on different sides;\n"
-    "--keep: the graphs are written there\n"
+    "--cut-one: of the second one only;\n"
+    "--keep: the graphs are written there; --graphs: they are read from there, where --keep wrote them\n"
     "example: registration_experiment data/skull_2.9.nrrd --iso 2.9 --sigma 4 -o results.csv\n";
 
 struct Usage_error : std::runtime_error {
@@ -43,9 +44,9 @@ struct Usage_error : std::runtime_error {
 };
 
 struct Options {
-  std::string image, output, keep;
+  std::string image, output, keep, graphs;
   std::optional<double> iso, sigma;
-  bool surfaces = false, cut = false;
+  bool surfaces = false, cut = false, cut_one = false;
   unsigned motions = 20, first = 1;
   double noise = 0.02; ///< deviation, in contrasts between above and below the iso value
 };
@@ -62,8 +63,8 @@ Options read_options(int argc, char** argv) {
   Options options;
   for (int i = 1; i < argc; ++i) {
     const std::string name = argv[i];
-    if (name == "--surfaces" || name == "--cut") {
-      (name == "--cut" ? options.cut : options.surfaces) = true;
+    if (name == "--surfaces" || name == "--cut" || name == "--cut-one") {
+      (name == "--cut" ? options.cut : name == "--cut-one" ? options.cut_one : options.surfaces) = true;
       continue;
     }
     if (!name.starts_with("-")) {
@@ -77,6 +78,8 @@ Options read_options(int argc, char** argv) {
       options.output = value;
     else if (name == "--keep")
       options.keep = value;
+    else if (name == "--graphs")
+      options.graphs = value;
     else if (name == "--iso")
       options.iso = number<double>(name, value);
     else if (name == "--sigma")
@@ -94,28 +97,9 @@ Options read_options(int argc, char** argv) {
     options.iso = 0;
   if (options.image.empty() != options.surfaces || options.output.empty() || !options.iso || !options.sigma)
     throw Usage_error("expected an image with --iso, or --surfaces; --sigma and -o");
+  if (!options.keep.empty() && !options.graphs.empty())
+    throw Usage_error("graphs are either written or read; give one of --keep and --graphs");
   return options;
-}
-
-/// a random ellipsoid, bright inside, on 64³ voxels of side 1.
-Image image_of_surface(unsigned seed) {
-  const auto f = random_surfaces::ellipsoid(seed);
-  constexpr std::size_t n = 64;
-  Image image{{{0, 0, 0}, {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}, {n, n, n}}, {}};
-  const surfaces::Box box = random_surfaces::box_of(f);
-  double side = 0;
-  for (std::size_t a = 0; a < 3; ++a)
-    side = std::max(side, box.high[a] - box.low[a]);
-  for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t i = 0; i < n; ++i) {
-        Point p = image.lattice.node(double(i), double(j), double(k));
-        for (std::size_t a = 0; a < 3; ++a) // six voxels of air on each side
-          p[a] = (box.low[a] + box.high[a]) / 2 + (p[a] - 0.5 * (n - 1)) * side / (n - 13);
-        // The gradient of f is about 2: the edge is about three voxels wide, as in a CT.
-        image.voxels.push_back(float(-100 * std::clamp(f.value(p) * (n - 13) / (3 * side), -1.0, 1.0)));
-      }
-  return image;
 }
 
 Extremal_mesh mesh_of(Image&& image, const Options& options, double voxel) {
@@ -133,30 +117,64 @@ Extremal_mesh mesh_of(Image&& image, const Options& options, double voxel) {
 
 /// How exactly a motion was found.
 struct Errors {
-  double degrees = 0, translation = 0, rms = 0; ///< at the centre of the vertices; of all of them
+  double degrees = 0, translation = 0, rms = 0; ///< at the centre of the overlap; of all vertices
 };
 
-Errors errors_of(const Similarity& found, const surfaces::Motion& truth, const Extremal_mesh& mesh) {
+Errors errors_of(const Registration& r, const surfaces::Motion& truth, const Extremal_mesh& mesh) {
+  const Similarity& found = r.transform;
   Similarity true_motion;
   true_motion.rotation = truth.R;
   true_motion.translation = truth.translation;
   Errors errors;
   errors.degrees = rotation_angle(true_motion.inverse() * found) * 180 / std::numbers::pi;
-  Point centre{};
   for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
     const Point& p = mesh.vertex(v).point;
     const double d = surfaces::distance(found(p), truth(p));
     errors.rms += d * d / double(mesh.number_of_vertices());
-    centre = surfaces::along(centre, 1 / double(mesh.number_of_vertices()), p);
   }
   errors.rms = std::sqrt(errors.rms);
-  errors.translation = surfaces::distance(found(centre), truth(centre));
+  errors.translation = surfaces::distance(found(truth.back(r.centre)), r.centre);
   return errors;
 }
 
 Image cut(const Image& image, std::size_t axis, bool low) {
   const std::size_t n = image.lattice.size[axis], third = n / 3;
   return low ? resampled_image::slab(image, axis, 0, n - third) : resampled_image::slab(image, axis, third, n);
+}
+
+std::string graph_of_first(const std::string& folder, unsigned seed, const Options& options) {
+  return fmt::format("{}/{}a.graphml", folder, options.surfaces ? std::to_string(seed) : "");
+}
+std::string graph_of_second(const std::string& folder, unsigned seed) {
+  return fmt::format("{}/{}b.graphml", folder, seed);
+}
+
+/// the mesh that is to be found again.
+Extremal_mesh first_mesh(const Image& image, unsigned seed, double voxel, const Options& options) {
+  if (!options.graphs.empty())
+    return read_graphml(graph_of_first(options.graphs, seed, options));
+  Image first = options.cut ? cut(image, 0, true) : image;
+  if (options.surfaces) // the other ones are images with noise of their own
+    resampled_image::add_noise(first, options.noise * resampled_image::contrast(image, *options.iso), seed + 1000);
+  Extremal_mesh mesh = mesh_of(std::move(first), options, voxel);
+  if (!options.keep.empty())
+    write_graphml(graph_of_first(options.keep, seed, options), mesh);
+  return mesh;
+}
+
+/// the mesh of the image that was moved, resampled, and got noise.
+Extremal_mesh second_mesh(const Image& image, const surfaces::Motion& motion, unsigned seed, double voxel,
+                          const Options& options) {
+  if (!options.graphs.empty())
+    return read_graphml(graph_of_second(options.graphs, seed));
+  const float lowest = *std::min_element(image.voxels.begin(), image.voxels.end());
+  Image second = resampled_image::moved(options.cut || options.cut_one ? cut(image, 1, false) : image, motion, lowest,
+                                        resampled_image::other_steps(image.lattice));
+  resampled_image::add_noise(second, options.noise * resampled_image::contrast(image, *options.iso), seed);
+  Extremal_mesh mesh = mesh_of(std::move(second), options, voxel);
+  if (!options.keep.empty())
+    write_graphml(graph_of_second(options.keep, seed), mesh);
+  return mesh;
 }
 
 void run(const Options& options) {
@@ -168,40 +186,33 @@ void run(const Options& options) {
       "rms_voxels,degrees_estimated,translation_estimated_voxels,matched_share,chance,on_surface,overlap,"
       "seconds\n";
   unsigned found = 0;
-  Errors worst;
+  Errors worst, ratios; // squares of errors in standard errors
   Image image;
   Extremal_mesh a;
   double voxel = 1;
   for (unsigned seed = options.first; seed < options.first + options.motions; ++seed) {
     if (options.surfaces || image.voxels.empty()) {
-      image = options.surfaces ? image_of_surface(seed) : read_image(options.image);
+      image = options.surfaces ? image_of_ellipsoid(seed) : read_image(options.image);
       voxel = resampled_image::largest_spacing(image.lattice);
-      Image first = options.cut ? cut(image, 0, true) : image;
-      if (options.surfaces) // the other ones are images with noise of their own
-        resampled_image::add_noise(first, options.noise * resampled_image::contrast(image, *options.iso), seed + 1000);
-      a = mesh_of(std::move(first), options, voxel);
-      if (!options.keep.empty())
-        write_graphml(fmt::format("{}/{}a.graphml", options.keep, options.surfaces ? std::to_string(seed) : ""), a);
+      a = first_mesh(image, seed, voxel, options);
     }
     surfaces::Motion motion = surfaces::random_motion(seed, 30 * voxel);
     for (double& t : motion.translation) // more than ten voxels
       t += t < 0 ? -10 * voxel : 10 * voxel;
-    const float lowest = *std::min_element(image.voxels.begin(), image.voxels.end());
-    Image second = resampled_image::moved(options.cut ? cut(image, 1, false) : image, motion, lowest,
-                                          resampled_image::other_steps(image.lattice));
-    resampled_image::add_noise(second, options.noise * resampled_image::contrast(image, *options.iso), seed);
-    const Extremal_mesh b = mesh_of(std::move(second), options, voxel);
-    if (!options.keep.empty())
-      write_graphml(fmt::format("{}/{}b.graphml", options.keep, seed), b);
+    const Extremal_mesh b = second_mesh(image, motion, seed, voxel, options);
 
     const auto start = std::chrono::steady_clock::now();
     const Registration r = register_extremal_meshes(a, b);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const Errors errors = errors_of(r.transform, motion, a);
+    const Errors errors = errors_of(r, motion, a);
     found += r.found;
-    if (r.found)
+    const double degrees_estimated = r.rotation_error * 180 / std::numbers::pi;
+    if (r.found) {
       worst = {std::max(worst.degrees, errors.degrees), std::max(worst.translation, errors.translation),
                std::max(worst.rms, errors.rms)};
+      ratios.degrees += std::pow(errors.degrees / degrees_estimated, 2);
+      ratios.translation += std::pow(errors.translation / r.translation_error, 2);
+    }
     Similarity turn;
     turn.rotation = motion.R;
     const Registration_evidence& e = r.evidence;
@@ -209,7 +220,7 @@ void run(const Options& options) {
         "{},{:.1f},{:.1f},{},{},{},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{:.3f},{:.3f},{:.3f},{:.3f},{:.2f}\n", seed,
         rotation_angle(turn) * 180 / std::numbers::pi, surfaces::length(motion.translation) / voxel,
         a.number_of_vertices(), b.number_of_vertices(), int(r.found), errors.degrees, errors.translation / voxel,
-        errors.rms / voxel, r.rotation_error * 180 / std::numbers::pi, r.translation_error / voxel,
+        errors.rms / voxel, degrees_estimated, r.translation_error / voxel,
         e.vertices > 0 ? double(e.matched) / double(e.vertices) : 0, e.chance, e.on_surface, e.overlap, seconds);
     fmt::print("{}", row);
     std::fflush(stdout);
@@ -217,7 +228,10 @@ void run(const Options& options) {
     write_text_file(options.output, csv);
   }
   fmt::print("{} of {} found; errors at most {:.4f} degrees, {:.4f} voxels at the centre, rms {:.4f} voxels\n", found,
-             options.motions, worst.degrees, worst.translation, worst.rms);
+             options.motions, worst.degrees, worst.translation / voxel, worst.rms / voxel);
+  if (found > 0)
+    fmt::print("errors are {:.2f} and {:.2f} of the standard ones (rms)\n", std::sqrt(ratios.degrees / found),
+               std::sqrt(ratios.translation / found));
 }
 
 } // namespace

@@ -12,6 +12,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
+
 #include <sys/wait.h>
 
 using namespace CGAL::Extremal_mesh_3;
@@ -157,4 +159,26 @@ TEST_F(Registration_tool, follows_an_image_from_scale_to_scale) {
   EXPECT_NE(read_text(folder->file("scales.csv")).find("\n1,16,"), std::string::npos);
   EXPECT_NE(read_text(folder->file("events.csv")).find("cancel"), std::string::npos);
   EXPECT_NE(read_text(folder->file("scales.svg")).find("umbilics"), std::string::npos);
+}
+
+TEST_F(Registration_tool, simplifies_by_the_life_times_of_a_scale_space) {
+  std::filesystem::create_directory(folder->file("scales"));
+  const Outcome scales = run(std::string("scale-space ") + EXTREMAL_MESH_3_DATA_DIR +
+                             "/skull_2.9.nrrd --iso 2.9 --sigma 12 16 --graphs scales --quiet");
+  ASSERT_EQ(scales.code, 0) << scales.err;
+  const Extremal_mesh mesh = read_graphml(folder->file("scales/sigma_12.graphml"));
+  std::size_t brief = 0;
+  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
+    ASSERT_TRUE(mesh.vertex(v).life_time.has_value());
+    brief += *mesh.vertex(v).life_time == 0;
+  }
+  EXPECT_GT(brief, 0U);
+  const Outcome simple = run("simplify scales/sigma_12.graphml --measure life-time --threshold 0 -o simple.graphml");
+  ASSERT_EQ(simple.code, 0) << simple.err;
+  EXPECT_NE(simple.out.find("of life time 0"), std::string::npos) << simple.out;
+  EXPECT_LT(read_graphml(folder->file("simple.graphml")).number_of_vertices(), mesh.number_of_vertices());
+  EXPECT_NE(read_text(folder->file("simple.graphml")).find("\"measure\":\"life_time\""), std::string::npos);
+  // by another name, and of a mesh without life times, it is refused
+  EXPECT_EQ(run("simplify simple.graphml --measure age --gap -o x.graphml").code, 2);
+  EXPECT_NE(run("simplify a.graphml --measure life-time --gap -o x.graphml").code, 0);
 }

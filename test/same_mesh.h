@@ -35,6 +35,7 @@ inline void expect_same(const Extremal_mesh_vertex& a, const Extremal_mesh_verte
   EXPECT_EQ(a.ridges, b.ridges) << what;
   EXPECT_EQ(a.extrema, b.extrema) << what;
   EXPECT_EQ(a.star, b.star) << what;
+  EXPECT_EQ(a.life_time, b.life_time) << what;
 }
 
 inline void expect_same(const Extremal_mesh_edge& a, const Extremal_mesh_edge& b, const std::string& what) {
@@ -57,6 +58,7 @@ inline void expect_same(const Extremal_mesh_edge& a, const Extremal_mesh_edge& b
   expect_same_bits(std::array{a.length, a.strength, a.sharpness}, std::array{b.length, b.strength, b.sharpness}, what);
   EXPECT_EQ(a.left_cell, b.left_cell) << what;
   EXPECT_EQ(a.right_cell, b.right_cell) << what;
+  EXPECT_EQ(a.life_time, b.life_time) << what;
 }
 
 inline void expect_same(const Extremal_mesh_cell& a, const Extremal_mesh_cell& b, const std::string& what) {

@@ -3,9 +3,15 @@
 #include <CGAL/Extremal_mesh_3/landmarks.h>
 #include <CGAL/Extremal_mesh_3/scale_space.h>
 
+#include <CGAL/Extremal_mesh_3/io.h>
+#include <CGAL/Extremal_mesh_3/simplify.h>
+
+#include "changed_mesh.h"
 #include "hand_made.h"
 #include "random_surfaces.h"
+#include "same_mesh.h"
 #include "surfaces.h"
+#include "temporary_folder.h"
 
 #include <cmath>
 
@@ -44,12 +50,8 @@ TEST(Scale_space, of_meshes_that_are_all_the_same_has_no_events) {
   const std::vector<double> vertices = space.vertex_life_times(1), edges = space.edge_life_times({mesh, mesh, mesh}, 0);
   for (std::size_t v = 0; v < vertices.size(); ++v)
     EXPECT_NEAR(vertices[v], is_followed(mesh.vertex(v)) ? std::log(4.0) : 0, 1e-12);
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    EXPECT_NEAR(edges[e],
-                is_followed(mesh.vertex(mesh.edge(e).source)) && is_followed(mesh.vertex(mesh.edge(e).target))
-                    ? std::log(4.0)
-                    : 0,
-                1e-12);
+  for (const double life_time : edges)
+    EXPECT_NEAR(life_time, std::log(4.0), 1e-12);
 }
 
 TEST(Scale_space, tells_what_vanishes_as_waves_fade) {
@@ -75,6 +77,65 @@ TEST(Scale_space, tells_what_vanishes_as_waves_fade) {
   for (const Scale_track& t : space.tracks)
     lasting += t.kind == Vertex_kind::umbilic && t.vertices.size() == 3;
   EXPECT_GE(lasting, 4U);
+}
+
+TEST(Scale_space, gives_closed_lines_a_life_time_by_their_places) {
+  // a line of latitude that stays, and one that moves by more than it may
+  const Extremal_mesh here = hand_made::two_loops();
+  const Extremal_mesh there = changed(here, [](Mesh_parts& parts) {
+    for (Point& p : parts.edges[1].polyline)
+      p[2] += 10;
+  });
+  ASSERT_EQ(here.number_of_edges(), 2U);
+  const std::vector<Extremal_mesh> meshes{here, there};
+  const Scale_space space = link_scales(meshes, {1, 3}, {0.1});
+  const std::vector<double> life_times = space.edge_life_times(meshes, 0);
+  EXPECT_NEAR(life_times[0], std::log(3.0), 1e-12);
+  EXPECT_EQ(life_times[1], 0);
+}
+
+TEST(Scale_space, gives_life_times_that_are_a_measure_for_simplification) {
+  const std::vector<Extremal_mesh> meshes{with_waves(0.003), with_waves(0.001), with_waves(0)};
+  const Scale_space space = link_scales(meshes, {1, 2, 4}, {0.2});
+  const Extremal_mesh mesh = with_life_times(meshes, space, 0);
+  Simplification_options options;
+  options.measure = Simplification_measure::life_time;
+  EXPECT_THROW(Simplification(meshes[0], options), std::invalid_argument);
+  const Simplification simplification(mesh, options);
+  ASSERT_FALSE(simplification.steps().empty());
+  double before = 0;
+  for (const Simplification_step& step : simplification.steps()) {
+    EXPECT_GE(step.persistence, before);
+    before = step.persistence;
+    // What vanishes lives no longer than the step says, but for one of those that are merged, whose life time goes on in the one that stays.
+    std::size_t longer = 0;
+    for (const std::uint32_t v : step.vanished)
+      longer += mesh.vertex(v).life_time.value() > step.persistence;
+    EXPECT_LE(longer, step.operation == Simplification_operation::merge_vertices ? 1U : 0U)
+        << to_string(step.operation);
+  }
+  // By persistence they do not come in this order.
+  const Simplification by_persistence(mesh);
+  bool in_order = true;
+  double longest = 0;
+  for (const Simplification_step& step : by_persistence.steps())
+    for (const std::uint32_t v : step.vanished) {
+      in_order = in_order && mesh.vertex(v).life_time.value() >= longest;
+      longest = std::max(longest, mesh.vertex(v).life_time.value());
+    }
+  EXPECT_FALSE(in_order);
+  // What is found at one scale only is gone first, without a contradiction, and the file keeps the rest.
+  const std::size_t level = simplification.level_of_persistence(0);
+  EXPECT_GT(level, 0U);
+  const Extremal_mesh simple = simplification.mesh_at(level);
+  surfaces::expect_all_checks_hold(simple);
+  std::size_t lasting = 0;
+  for (std::size_t v = 0; v < simple.number_of_vertices(); ++v)
+    lasting += simple.vertex(v).kind == Vertex_kind::umbilic && simple.vertex(v).life_time.value() > std::log(3.9);
+  EXPECT_GE(lasting, 4U); // those of the ellipsoid
+  const Temporary_folder folder;
+  write_graphml(folder.file("simple.graphml"), simple);
+  same_mesh::expect_same(simple, read_graphml(folder.file("simple.graphml")));
 }
 
 TEST(Scale_space, refuses_scales_that_do_not_ascend) {

@@ -72,6 +72,7 @@ inline constexpr std::array node_fields = {
     Field<internal::V>{"extremum_1", "string", false, internal::write_extremum<0>, internal::read_extremum<0>},
     Field<internal::V>{"extremum_2", "string", false, internal::write_extremum<1>, internal::read_extremum<1>},
     field_of<&internal::V::star, internal::V>("star", false),
+    field_of<&internal::V::life_time, internal::V>("life_time", false),
 };
 
 inline constexpr std::array edge_fields = {
@@ -89,6 +90,7 @@ inline constexpr std::array edge_fields = {
     field_of<&internal::E::extremality, internal::E>("extremality_along", true),
     field_of<&internal::E::segment_types, internal::E>("segment_types", true),
     field_of<&internal::E::type_changes, internal::E>("type_changes", false),
+    field_of<&internal::E::life_time, internal::E>("line_life_time", false),
 };
 
 inline constexpr std::array graph_fields = {

@@ -11,6 +11,7 @@
 #include <concepts>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -30,11 +31,12 @@ public:
 using Text = fmt::memory_buffer;
 
 template <typename T>
-constexpr std::string_view type_name = std::is_same_v<T, bool>       ? "boolean"
-                                       : std::is_floating_point_v<T> ? "double"
-                                       : !std::is_integral_v<T>      ? "string"
-                                       : sizeof(T) > sizeof(int)     ? "long"
-                                                                     : "int";
+constexpr std::string_view type_name = std::is_same_v<T, bool>                    ? "boolean"
+                                       : std::is_floating_point_v<T>              ? "double"
+                                       : std::is_same_v<T, std::optional<double>> ? "double"
+                                       : !std::is_integral_v<T>                   ? "string"
+                                       : sizeof(T) > sizeof(int)                  ? "long"
+                                                                                  : "int";
 
 /// \name Appends the text of a value.
 /// \throws Value_error if a number is not finite
@@ -59,6 +61,11 @@ void append(Text& out, T value) {
 inline void append(Text& out, const std::vector<double>& values) {
   append(out, std::span<const double>(values));
 }
+/// appends nothing if there is none.
+inline void append(Text& out, const std::optional<double>& value) {
+  if (value)
+    append(out, *value);
+}
 /// @}
 
 /// \name Reads a value from its text.
@@ -79,6 +86,9 @@ void parse(std::string_view text, std::vector<Point>& points);
 void parse(std::string_view text, std::vector<Line_type>& types);
 void parse(std::string_view text, std::vector<Type_change>& changes);
 void parse(std::string_view text, std::vector<Half_edge>& half_edges);
+inline void parse(std::string_view text, std::optional<double>& value) {
+  parse(text, value.emplace());
+}
 inline void parse(std::string_view text, std::string& value) {
   value = text;
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -34,6 +35,43 @@ std::vector<double> persistences(const Extremal_mesh& mesh) {
       result.push_back(vertex_measures(mesh, v).stability);
     return result;
   }
+}
+
+/// how high the surface is above a chord, at t of the way from one end to the other: the cubic with the slopes that the normals
+/// tell. Polylines are so coarse that chords lie farther below it than noise moves it.
+Vector height_over_chord(const Vector& chord, const Vector& n0, const Vector& n1, double t) {
+  const double length = norm(chord);
+  const Vector along = 1 / length * chord, mean = n0 + n1, up = mean - dot(mean, along) * along;
+  const double size = norm(up);
+  if (!(size > 0.5)) // the chord does not lie along the surface
+    return {};
+  const Vector n = 1 / size * up;
+  const auto slope = [&](const Vector& normal) {
+    const double rise = -dot(normal, along), run = dot(normal, n);
+    return std::abs(rise) < run ? rise / run : 0; // more than 45 degrees within a chord: an edge of the surface
+  };
+  return length * t * (1 - t) * ((1 - t) * slope(n0) - t * slope(n1)) * n;
+}
+
+/// at t of the way along the segment s of an edge. Nothing where the polyline jumps as the surface has an edge.
+std::optional<Line_sample> sample_of(const Extremal_mesh_edge& e, std::size_t s, double t) {
+  const Vector chord = e.polyline[s + 1] - e.polyline[s];
+  const Vector mean = (1 - t) * e.normals[s] + t * e.normals[s + 1];
+  if (!(norm(mean) > 0.5))
+    return std::nullopt;
+  const double length = norm(chord);
+  const auto between = [&](const std::vector<double>& k) { return (1 - t) * k[s] + t * k[s + 1]; };
+  Line_sample sample;
+  sample.point = e.polyline[s] + t * chord + height_over_chord(chord, e.normals[s], e.normals[s + 1], t);
+  sample.normal = normalized(mean);
+  sample.tangent = 1 / length * chord;
+  sample.kind = std::uint8_t(int(e.family == 2) |
+                             int(is_signed_max(e.segment_types[s], between(e.family == 1 ? e.k1 : e.k2))) << 1);
+  const Vector turn = 1 / length * (e.normals[s + 1] - e.normals[s]);
+  sample.bend[0] = dot(turn, sample.tangent);
+  sample.bend[1] = dot(turn, cross(sample.normal, sample.tangent));
+  sample.bend[2] = -between(e.k1) - between(e.k2) - sample.bend[0]; // the trace is −(k1 + k2)
+  return sample;
 }
 
 std::uint8_t kind_of(const Extremal_mesh_vertex& v) {
@@ -70,25 +108,22 @@ Features line_features(const Extremal_mesh& mesh, double spacing, std::size_t mo
     return features;
   for (std::size_t i = 0; i < mesh.number_of_edges(); ++i) {
     const Extremal_mesh_edge& e = mesh.edge(i);
-    const std::vector<double>& k = e.family == 1 ? e.k1 : e.k2;
     double next = features.spacing / 2, walked = 0; // where on the edge the next sample is to be
     for (std::size_t s = 0; s + 1 < e.polyline.size(); ++s) {
       require_finite(e.polyline[s + 1]);
-      const Vector step = e.polyline[s + 1] - e.polyline[s];
-      const double length = norm(step);
-      for (; next < walked + length; next += features.spacing) {
-        const double t = (next - walked) / length;
-        const Vector n = (1 - t) * e.normals[s] + t * e.normals[s + 1];
-        if (norm(n) > 0.5) // else the polyline jumps where the surface has an edge
-          features.samples.push_back(
-              {e.polyline[s] + t * step, normalized(n), 1 / length * step,
-               std::uint8_t(int(e.family == 2) | int(is_signed_max(e.segment_types[s], (1 - t) * k[s] + t * k[s + 1]))
-                                                     << 1)});
-      }
+      const double length = distance(e.polyline[s], e.polyline[s + 1]);
+      for (; next < walked + length; next += features.spacing)
+        if (const auto sample = sample_of(e, s, (next - walked) / length))
+          features.samples.push_back(*sample);
       walked += length;
     }
   }
   return features;
+}
+
+double Line_sample::bent(const Vector& w) const {
+  const double a = dot(w, tangent), c = dot(w, cross(normal, tangent));
+  return bend[0] * a * a + 2 * bend[1] * a * c + bend[2] * c * c;
 }
 
 Features Features::turned_over() const {
@@ -105,6 +140,7 @@ Features Features::turned_over() const {
   for (Line_sample& s : result.samples) {
     s.normal = -s.normal;
     s.kind ^= 3;
+    s.bend = {-s.bend[0], s.bend[1], -s.bend[2]}; // n × t turns over, too
   }
   return result;
 }
@@ -116,9 +152,11 @@ Features Features::mirrored() const {
       (*v)[0] = -(*v)[0];
     f.t2 = -f.t2; // the frame is to be direct
   }
-  for (Line_sample& s : result.samples)
+  for (Line_sample& s : result.samples) {
     for (Vector* v : {&s.point, &s.normal, &s.tangent})
       (*v)[0] = -(*v)[0];
+    s.bend[1] = -s.bend[1]; // n × t is turned over against the mirror image
+  }
   return result;
 }
 

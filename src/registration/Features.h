@@ -5,6 +5,7 @@
 
 #include <CGAL/Extremal_mesh_3/Extremal_mesh.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -31,6 +32,11 @@ struct Line_sample {
   Point point{};
   Vector normal{}, tangent{}; ///< unit
   std::uint8_t kind = 0;      ///< bit 0: family 2; bit 1: is k_family maximal along its line of curvature
+  /// how the normal bends: n' along the tangent t, times t and times n × t, and along n × t, times n × t. In 1/length
+  std::array<double, 3> bend{};
+
+  /// how much the normal turns along w, a tangent vector, times w: minus the second derivative of the surface's height.
+  double bent(const Vector& w) const;
 };
 inline constexpr std::size_t line_kinds = 4;
 
@@ -50,7 +56,7 @@ struct Features {
 /// \throws std::invalid_argument if a coordinate is not finite
 std::vector<Feature> vertex_features(const Extremal_mesh& mesh);
 
-/// points on all lines.
+/// points of the surface along all lines.
 /// \param spacing  between neighbours, at most
 /// \param most     about so many points at most: the spacing is made larger for that
 Features line_features(const Extremal_mesh& mesh, double spacing, std::size_t most);

@@ -20,6 +20,7 @@ struct Alignment {
   Similarity motion;
   bool determined = false; ///< there were enough partners, in enough directions
   double surface_rms = 0;  ///< of the distances from the surface that count
+  Point centre{};          ///< of the overlap, in the second mesh
   double rotation_error = 0, translation_error = 0, scale_error = 0; ///< see `Registration`
 };
 

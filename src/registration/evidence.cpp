@@ -42,7 +42,7 @@ constexpr int displacements = 16;
 Trial try_vertex(const Feature& f, const Target& b, const Similarity& motion, const Evidence_options& options,
                  double first_angle) {
   Trial trial;
-  const Line_sample place{f.point, f.normal, {}, 0};
+  const Line_sample place{f.point, f.normal, {}, 0, {}};
   const auto surface = b.surface_near(place, motion, options.reach);
   if (!surface)
     return trial;
@@ -54,7 +54,7 @@ Trial try_vertex(const Feature& f, const Target& b, const Similarity& motion, co
     const Vector direction = std::cos(angle) * f.t1 + std::sin(angle) * f.t2;
     Feature moved = f;
     moved.point = f.point + length * direction;
-    Line_sample there{moved.point, f.normal, {}, 0};
+    Line_sample there{moved.point, f.normal, {}, 0, {}};
     // onto the second surface, or less would match where the surfaces bend
     if (const auto near = b.surface_near(there, motion, options.reach)) {
       const double off = distance_from_surface(there, motion, b.features().samples[*near]);
@@ -134,21 +134,31 @@ Registration_evidence gather_evidence(const Features& a, const Target& b, const 
   return evidence;
 }
 
+namespace {
+
+double share_of(const Registration_evidence& e) {
+  return e.vertices > 0 ? double(e.matched) / double(e.vertices) : 0;
+}
+
+} // namespace
+
+bool speaks_by_vertices(const Registration_evidence& e) {
+  return e.log10_significance < -6 && share_of(e) >= 0.35 && share_of(e) >= 2.5 * e.chance && e.on_surface >= 0.4;
+}
+
 std::string objection(const Registration_evidence& e, const Alignment& alignment, double tolerance) {
   if (!alignment.determined)
     return "the vertices and lines that match do not fix a motion";
-  const double share = e.vertices > 0 ? double(e.matched) / double(e.vertices) : 0;
   // On smooth surfaces noise moves extremal points along flat extrema of the curvature, farther than the tolerance, but lines
   // stay on the surface. That tells a motion too, if the surface cannot slide along itself.
   const bool fixed = alignment.translation_error < 0.2 * tolerance && alignment.rotation_error < 0.02;
-  const bool by_vertices = e.log10_significance < -6 && share >= 0.35 && share >= 2.5 * e.chance && e.on_surface >= 0.4;
   const bool by_surface =
       fixed && e.overlap >= 0.6 && e.on_surface >= 0.85 && e.on_surface >= 2 * e.on_surface_by_chance;
-  if (by_vertices || by_surface)
+  if (speaks_by_vertices(e) || by_surface)
     return "";
   return fmt::format("of {} vertices where the meshes overlap {:.0f} % match, {:.0f} % by chance, and {:.0f} % of the "
                      "lines there lie on the other surface, {:.0f} % by chance",
-                     e.vertices, 100 * share, 100 * e.chance, 100 * e.on_surface, 100 * e.on_surface_by_chance);
+                     e.vertices, 100 * share_of(e), 100 * e.chance, 100 * e.on_surface, 100 * e.on_surface_by_chance);
 }
 
 } // namespace CGAL::Extremal_mesh_3

@@ -22,6 +22,9 @@ struct Evidence_options {
 Registration_evidence gather_evidence(const Features& a, const Target& b, const Similarity& motion,
                                       const Evidence_options& options, Thread_pool& threads);
 
+/// are there enough vertices in their places, much more than by chance?
+bool speaks_by_vertices(const Registration_evidence& evidence);
+
 /// \return why the evidence for a motion is not enough; empty if it is
 std::string objection(const Registration_evidence& evidence, const Alignment& alignment, double tolerance);
 

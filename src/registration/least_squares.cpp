@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -54,6 +55,13 @@ private:
     }
   }
 };
+
+/// of a unit quaternion.
+std::array<Vector, 3> rotation_of(double w, double x, double y, double z) {
+  return {Vector{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
+          Vector{2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
+          Vector{2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}};
+}
 
 } // namespace
 
@@ -123,24 +131,21 @@ std::array<Vector, 3> nearest_rotation(const std::array<Vector, 3>& m) {
                            {zx - xz, xy + yx, yy - xx - zz, yz + zy},
                            {xy - yx, zx + xz, yz + zy, zz - xx - yy}}});
   const std::size_t i = e.greatest();
-  const double w = e.vectors[0][i], x = e.vectors[1][i], y = e.vectors[2][i], z = e.vectors[3][i];
-  return {Vector{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
-          Vector{2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
-          Vector{2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}};
+  return rotation_of(e.vectors[0][i], e.vectors[1][i], e.vectors[2][i], e.vectors[3][i]);
+}
+
+std::array<Vector, 3> uniform_rotation(std::size_t i, std::size_t n) {
+  const double s = double(i) + 0.5, t = s / double(n);
+  const double alpha = 2 * std::numbers::pi * s / std::numbers::sqrt2,
+               beta = 2 * std::numbers::pi * s / 1.533751168755204;
+  const double near = std::sqrt(t), far = std::sqrt(1 - t);
+  return rotation_of(far * std::cos(beta), near * std::sin(alpha), near * std::cos(alpha), far * std::sin(beta));
 }
 
 std::array<Vector, 3> rotation_by(const Vector& turn) {
   const double angle = norm(turn);
   const double s = angle > 0 ? std::sin(angle / 2) / angle : 0.5, w = std::cos(angle / 2);
-  const double x = s * turn[0], y = s * turn[1], z = s * turn[2];
-  return {Vector{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
-          Vector{2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
-          Vector{2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}};
-}
-
-double greatest_eigenvalue(const std::array<Vector, 3>& m) {
-  const Eigensystem<3> e(m);
-  return e.values[e.greatest()];
+  return rotation_of(w, s * turn[0], s * turn[1], s * turn[2]);
 }
 
 } // namespace CGAL::Extremal_mesh_3

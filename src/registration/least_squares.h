@@ -36,11 +36,11 @@ Unknowns operator*(const Square_matrix& m, const Unknowns& v);
 /// of absolute orientation using unit quaternions", 1987]
 std::array<Vector, 3> nearest_rotation(const std::array<Vector, 3>& m);
 
+/// the i-th of n rotations that are spread evenly over all. [Alexa, "Super-Fibonacci spirals", 2022]
+std::array<Vector, 3> uniform_rotation(std::size_t i, std::size_t n);
+
 /// the rotation about a vector by its length.
 std::array<Vector, 3> rotation_by(const Vector& turn);
-
-/// the greatest eigenvalue of a symmetric matrix.
-double greatest_eigenvalue(const std::array<Vector, 3>& m);
 
 } // namespace CGAL::Extremal_mesh_3
 

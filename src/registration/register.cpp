@@ -6,8 +6,9 @@
 #include <CGAL/Extremal_mesh_3/register.h>
 
 #include "../differential/vector.h"
-#include "align.h"
+#include "align_finely.h"
 #include "evidence.h"
+#include "least_squares.h"
 #include "propose.h"
 
 #include <fmt/format.h>
@@ -86,7 +87,7 @@ public:
       return result;
     }
     // Lines of the first mesh need to be as dense as errors are independent, those of the second dense enough to be met.
-    Features a = line_features(a_, tolerance_, 8000), b = line_features(b_, tolerance_ / 2, 150000);
+    Features a = line_features(a_, tolerance_, most_sparse), b = line_features(b_, tolerance_ / 2, most_dense);
     a.vertices = first_of(vertices_a, options_.most_vertices);
     b.vertices = first_of(vertices_b, 2 * options_.most_vertices);
     const Target target(b);
@@ -97,6 +98,7 @@ public:
       for (const bool reversed : {false, true}) {
         attempt(reversed ? side.turned_over() : side, target, reversed, mirrored, result);
         if (result.found) {
+          refine(a, target, result);
           match(result, vertices_a, vertices_b);
           return result;
         }
@@ -106,8 +108,19 @@ public:
   }
 
 private:
+  static constexpr std::size_t most_sparse = 8000, most_dense = 150000;
+
   static std::vector<Feature> first_of(const std::vector<Feature>& all, std::size_t most) {
     return {all.begin(), all.begin() + std::ptrdiff_t(std::min(all.size(), most))};
+  }
+
+  /// few enough features to try many motions.
+  static Features part_of(const Features& a) {
+    Features part;
+    part.spacing = a.spacing * double(1 + a.samples.size() / 600);
+    part.vertices = first_of(a.vertices, 300);
+    part.samples = some_of(a.samples, 600);
+    return part;
   }
 
   /// the distance within which the second mesh has lines everywhere.
@@ -143,10 +156,7 @@ private:
     options.seed = options_.seed;
     const Proposals proposals = propose_motions(a.vertices, b.features().vertices, options, threads_);
     tried = double(proposals.tried);
-    Features part;
-    part.spacing = a.spacing * double(1 + a.samples.size() / 600);
-    part.vertices = first_of(a.vertices, 300);
-    part.samples = some_of(a.samples, 600);
+    const Features part = part_of(a);
     std::vector<Candidate> result(proposals.motions.size());
     threads_.for_each(result.size(), 1, [&](std::size_t i) {
       const double wide = std::max(8 * tolerance_, 0.1 * proposals.baseline * proposals.motions[i].scale);
@@ -156,6 +166,51 @@ private:
     std::stable_sort(result.begin(), result.end(),
                      [](const Candidate& x, const Candidate& y) { return x.score > y.score; });
     return result;
+  }
+
+  /// a motion refined on all features, with what speaks for it.
+  Registration tested(const Features& a, const Target& b, const Similarity& start, const Evidence_options& options) {
+    Alignment_options fine = alignment_options(2 * tolerance_, 1.5 * tolerance_);
+    fine.rounds = 30;
+    const Alignment alignment = align(a, b, start, fine, &threads_);
+    Registration r;
+    r.tolerance = tolerance_;
+    r.evidence = gather_evidence(a, b, alignment.motion, options, threads_);
+    r.reason = objection(r.evidence, alignment, tolerance_);
+    r.found = r.reason.empty();
+    r.transform = alignment.motion;
+    keep_errors(alignment, r);
+    return r;
+  }
+
+  /// where the surfaces alone tell a motion, they may fit nearly as well otherwise, as an ellipsoid does with itself after half a turn, and the
+  /// right motion may not have been proposed, as vertices are not in their places. So turns of all kinds are tried.
+  std::vector<Similarity> best_turns(const Features& a, const Target& b, const Similarity& motion) {
+    const Features part = part_of(a);
+    Point centre{};
+    for (const Line_sample& s : part.samples)
+      centre = centre + 1 / double(part.samples.size()) * motion(s.point);
+    constexpr std::size_t turns = 128; // within 30 degrees of any: less than from where smooth surfaces find each other
+    std::vector<Alignment> all(turns);
+    const double wide = std::max(8 * tolerance_, 0.1 * std::sqrt(std::max(0.0, b_.surface().area)));
+    threads_.for_each(turns, 1, [&](std::size_t i) {
+      Similarity turn;
+      turn.rotation = uniform_rotation(i, turns);
+      turn.translation = centre - turn(centre);
+      Alignment_options options = alignment_options(wide, 2 * tolerance_);
+      options.rounds = 20;
+      all[i] = align(part, b, turn * motion, options, nullptr);
+    });
+    std::erase_if(all, [](const Alignment& x) { return !x.determined; });
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Alignment& x, const Alignment& y) { return x.surface_rms < y.surface_rms; });
+    std::vector<Similarity> best;
+    constexpr std::size_t most = 4;
+    for (const Alignment& x : all)
+      if (best.size() < most &&
+          std::all_of(best.begin(), best.end(), [&](const Similarity& s) { return differ(s, x.motion, part); }))
+        best.push_back(x.motion);
+    return best;
   }
 
   /// looks for a motion between one form of the first mesh and the second; keeps it if it is better than what there was.
@@ -170,26 +225,22 @@ private:
       all.pop_back();
     Evidence_options evidence_options{tolerance_, reach(), tried, options_.seed};
     std::vector<Registration> refined;
-    for (const Candidate& candidate : all) {
-      Alignment_options fine = alignment_options(2 * tolerance_, 1.5 * tolerance_);
-      fine.rounds = 30;
-      const Alignment alignment = align(a, b, candidate.alignment.motion, fine, &threads_);
-      Registration r;
-      r.tolerance = tolerance_;
-      r.evidence = gather_evidence(a, b, alignment.motion, evidence_options, threads_);
-      r.reason = objection(r.evidence, alignment, tolerance_);
-      r.found = r.reason.empty();
-      r.transform = alignment.motion;
+    const auto test = [&](const Similarity& start) {
+      Registration r = tested(a, b, start, evidence_options);
       if (mirrored)
         r.transform = r.transform * mirror();
       r.normals_reversed = reversed;
-      r.surface_rms = alignment.surface_rms;
-      r.rotation_error = alignment.rotation_error;
-      r.translation_error = alignment.translation_error;
-      r.scale_error = alignment.scale_error;
       refined.push_back(std::move(r));
-    }
+    };
+    for (const Candidate& candidate : all)
+      test(candidate.alignment.motion);
     std::stable_sort(refined.begin(), refined.end(), better);
+    if (!refined.empty() && refined.front().found && !speaks_by_vertices(refined.front().evidence)) {
+      const Similarity found = refined.front().transform;
+      for (const Similarity& start : best_turns(a, b, mirrored ? found * mirror() : found))
+        test(start);
+      std::stable_sort(refined.begin(), refined.end(), better);
+    }
     if (refined.empty()) {
       if (result.reason.empty())
         result.reason = "no pairs of vertices agree";
@@ -205,6 +256,31 @@ private:
     result = std::move(best);
   }
 
+  static void keep_errors(const Alignment& alignment, Registration& r) {
+    r.surface_rms = alignment.surface_rms;
+    r.centre = alignment.centre;
+    r.rotation_error = alignment.rotation_error;
+    r.translation_error = alignment.translation_error;
+    r.scale_error = alignment.scale_error;
+  }
+
+  /// the motion that was found, as exactly as noise allows.
+  void refine(const Features& a, const Target& b, Registration& result) {
+    const bool mirrored = result.transform.mirrors();
+    const auto side = [&](const Features& f) {
+      const Features turned = result.normals_reversed ? f.turned_over() : f;
+      return mirrored ? turned.mirrored() : turned;
+    };
+    const Features sparse_a = side(a), dense_a = side(line_features(a_, tolerance_ / 2, most_dense)),
+                   sparse_b = line_features(b_, tolerance_, most_sparse);
+    Alignment start;
+    start.motion = mirrored ? result.transform * mirror() : result.transform;
+    const Alignment alignment = align_finely({sparse_a, Target(dense_a)}, {sparse_b, b}, start,
+                                             alignment_options(1.5 * tolerance_, 1.5 * tolerance_), threads_);
+    result.transform = mirrored ? alignment.motion * mirror() : alignment.motion;
+    keep_errors(alignment, result);
+  }
+
   static Similarity mirror() {
     Similarity m;
     m.rotation[0][0] = -1;
@@ -214,6 +290,11 @@ private:
   static bool better(const Registration& x, const Registration& y) {
     if (x.found != y.found)
       return x.found;
+    const bool by_vertices = speaks_by_vertices(x.evidence);
+    if (by_vertices != speaks_by_vertices(y.evidence))
+      return by_vertices;
+    if (x.found && !by_vertices) // vertices say little
+      return x.surface_rms < y.surface_rms;
     return weight_of(x) > weight_of(y);
   }
   /// do two motions take something to different places?

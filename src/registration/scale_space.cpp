@@ -6,12 +6,14 @@
 #include "../cgal/Point_tree.h"
 #include "../differential/vector.h"
 #include "../queries/require.h"
+#include "Segment_finder.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -143,6 +145,20 @@ std::optional<Edge_name> name_of(const Scale_space& space, const Extremal_mesh_e
   return Edge_name{std::min(s, t), std::max(s, t), std::uint32_t(e.family)};
 }
 
+/// are half of an edge's points within a distance of lines of its family, on the same side of the surface?
+bool is_near(const Extremal_mesh_edge& e, const Extremal_mesh& mesh, const Segment_finder& lines, double within) {
+  std::size_t near = 0;
+  for (std::size_t i = 0; i < e.polyline.size(); ++i) {
+    bool found = false;
+    lines.for_each(e.polyline[i], within, [&](const Segment_finder::Near& n) {
+      const Extremal_mesh_edge& other = mesh.edge(n.edge);
+      found = found || (other.family == e.family && dot(other.normals[n.segment], e.normals[i]) > 0.5);
+    });
+    near += found;
+  }
+  return 2 * near >= e.polyline.size();
+}
+
 } // namespace
 
 Scale_space link_scales(const std::vector<Extremal_mesh>& meshes, std::vector<double> sigmas,
@@ -178,6 +194,7 @@ Scale_space link_scales(const std::vector<Extremal_mesh>& meshes, std::vector<do
       break;
     const double tolerance = options.tolerance > 0 ? options.tolerance : default_tolerance(mesh, meshes[level + 1]);
     const double within = tolerance + 0.5 * (space.sigmas[level + 1] - space.sigmas[level]);
+    space.reach.push_back(within);
     next = successors(mesh, meshes[level + 1], vertices[level], vertices[level + 1], within);
     explain_ends(space, mesh, vertices[level], level, next, within);
   }
@@ -201,19 +218,37 @@ std::vector<double> Scale_space::edge_life_times(const std::vector<Extremal_mesh
     for (std::size_t e = 0; e < meshes[l].number_of_edges(); ++e)
       if (const auto name = name_of(*this, meshes[l].edge(e), l))
         names[l][*name] = true;
+  std::deque<Segment_finder> lines; // they cannot be moved
+  for (const Extremal_mesh& mesh : meshes)
+    lines.emplace_back(mesh, std::nullopt);
   std::vector<double> result(meshes[level].number_of_edges());
   for (std::size_t e = 0; e < result.size(); ++e) {
-    const auto name = name_of(*this, meshes[level].edge(e), level);
-    if (!name)
-      continue;
+    const Extremal_mesh_edge& edge = meshes[level].edge(e);
+    const auto name = name_of(*this, edge, level);
+    const auto is_there = [&](std::size_t other, double within) {
+      return name ? names[other].contains(*name) : is_near(edge, meshes[other], lines[other], within);
+    };
     std::size_t first = level, last = level;
-    while (first > 0 && names[first - 1].contains(*name))
-      --first;
-    while (last + 1 < names.size() && names[last + 1].contains(*name))
-      ++last;
+    for (double within = 0; first > 0 && is_there(first - 1, within + reach[first - 1]); --first)
+      within += reach[first - 1];
+    for (double within = 0; last + 1 < names.size() && is_there(last + 1, within + reach[last]); ++last)
+      within += reach[last];
     result[e] = std::log(sigmas[last] / sigmas[first]);
   }
   return result;
+}
+
+Extremal_mesh with_life_times(const std::vector<Extremal_mesh>& meshes, const Scale_space& space, std::size_t level) {
+  const std::vector<double> of_vertices = space.vertex_life_times(level),
+                            of_edges = space.edge_life_times(meshes, level);
+  const Extremal_mesh& mesh = meshes[level];
+  std::vector<Extremal_mesh_vertex> vertices;
+  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    vertices.emplace_back(mesh.vertex(v)).life_time = of_vertices.at(v);
+  std::vector<Extremal_mesh_edge> edges;
+  for (std::size_t e = 0; e < mesh.number_of_edges(); ++e)
+    edges.emplace_back(mesh.edge(e)).life_time = of_edges[e];
+  return Extremal_mesh(std::move(vertices), std::move(edges), mesh.cells(), mesh.surface());
 }
 
 } // namespace CGAL::Extremal_mesh_3

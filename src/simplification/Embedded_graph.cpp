@@ -28,6 +28,7 @@ Embedded_graph::Edge measured(const Extremal_mesh_edge& e, double surface_area) 
       edge.extremality += distance(e.polyline[i - 1], e.polyline[i]) * (e.extremality[i - 1] + e.extremality[i]) / 2;
   }
   edge.difference = edge.extremality;
+  edge.life_time = e.life_time.value_or(0);
   return edge;
 }
 
@@ -57,6 +58,7 @@ Embedded_graph::Embedded_graph(const Extremal_mesh& mesh)
     vertex.point = x.point;
     vertex.k1 = x.k1;
     vertex.k2 = x.k2;
+    vertex.life_time = x.life_time.value_or(0);
     vertex.degree = std::uint32_t(x.star.size());
     vertex.first = x.star.empty() ? none : x.star.front();
     for (std::size_t i = 0; i < x.star.size(); ++i) {
@@ -185,6 +187,7 @@ void Embedded_graph::contract(Half_edge h) {
     e.slope += along.slope;
     e.extremality += along.extremality;
     e.split = std::max(e.split, along.split);
+    e.life_time = std::max(e.life_time, along.life_time);
   }
   remove_side(h);
   remove_side(back);
@@ -211,6 +214,7 @@ void Embedded_graph::contract(Half_edge h) {
   kept.degree += gone.degree - 2;
   kept.half_turns += gone.half_turns;
   kept.field_index += gone.field_index;
+  kept.life_time = std::max(kept.life_time, gone.life_time);
   kill_vertex(w);
 }
 
@@ -227,6 +231,7 @@ Half_edge Embedded_graph::add_edge(Half_edge a, Half_edge b, double difference) 
   e.extremality = x.extremality + y.extremality;
   e.difference = difference;
   e.split = std::max(x.split, y.split);
+  e.life_time = std::max(x.life_time, y.life_time);
   const Half_edge h = Half_edge(2 * edges_.size());
   edges_.push_back(e);
   ++alive_edges_;

@@ -29,6 +29,7 @@ public:
     Point point{};
     double k1 = 0, k2 = 0;
     std::uint32_t next_on_border = none, previous_on_border = none;
+    double life_time = 0; ///< the longest of what was merged
   };
   struct Edge {
     int family;
@@ -40,6 +41,7 @@ public:
     double extremality; ///< ∫|e_j| ds of the other family
     double difference;  ///< the same, but what was cancelled does not count: see Simplifier
     double split;       ///< the greatest k1 − k2
+    double life_time;   ///< the longest of its pieces
   };
   struct Cell {
     int sign, euler_characteristic;

@@ -37,6 +37,10 @@ std::string_view to_string(Simplification_operation operation) {
   return "unknown";
 }
 
+std::string_view to_string(Simplification_measure measure) {
+  return measure == Simplification_measure::life_time ? "life_time" : "persistence";
+}
+
 namespace {
 
 /// the vertices that a step may make vanish.
@@ -66,6 +70,15 @@ void require_consistent(const Extremal_mesh& mesh) {
         throw std::invalid_argument(fmt::format("the mesh fails the check '{}': {}", c.name, c.detail));
 }
 
+void require_measure(const Extremal_mesh& mesh, Simplification_measure measure) {
+  if (measure == Simplification_measure::persistence || mesh.number_of_vertices() == 0)
+    return;
+  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    if (mesh.vertex(v).life_time)
+      return;
+  throw std::invalid_argument("its vertices have no life times; those of a scale space have");
+}
+
 } // namespace
 
 struct Simplification::Data {
@@ -76,7 +89,7 @@ struct Simplification::Data {
   std::vector<Simplification_step> steps;
 
   Data(Extremal_mesh m, const Simplification_options& o)
-      : mesh((require_consistent(m), std::move(m))), options(o), start(mesh) {
+      : mesh((require_consistent(m), require_measure(m, o.measure), std::move(m))), options(o), start(mesh) {
     keep_crest_lines();
     find_steps();
   }
@@ -103,7 +116,9 @@ void Simplification::Data::keep_crest_lines() {
 void Simplification::Data::find_steps() {
   Simplifier simplifier(start);
   const Embedded_graph& graph = simplifier.graph();
-  Step_finder finder(graph);
+  Step_finder finder(graph, options.measure);
+  // curvatures are told without their unit, logarithms have none
+  const double unit = options.measure == Simplification_measure::life_time ? 1 : std::sqrt(mesh.surface().area);
   double persistence = 0;
   const std::size_t given = mesh.number_of_vertices();
   const auto place = [&](std::uint32_t v) {
@@ -113,7 +128,7 @@ void Simplification::Data::find_steps() {
     return mesh.vertex(mesh.source(h)).point;
   };
   while (const std::optional<Candidate> next = finder.next()) {
-    persistence = std::max(persistence, std::sqrt(mesh.surface().area) * next->cost);
+    persistence = std::max(persistence, unit * next->cost);
     Simplification_step step{next->operation, persistence, place(graph.source(next->first)), {}, 0, 0, 0};
     std::vector<std::uint32_t> involved = involved_in(graph, *next);
     simplifier.apply(*next);
@@ -199,6 +214,8 @@ Extremal_mesh Simplification::mesh_at(std::size_t level) const {
     if (!parameters.is_object())
       parameters = surface.parameters.empty() ? Json::object() : Json{{"given", surface.parameters}};
     Json simplification = {{"level", level}, {"persistence", steps()[level - 1].persistence}};
+    if (data_->options.measure != Simplification_measure::persistence)
+      simplification["measure"] = to_string(data_->options.measure);
     if (!std::isinf(data_->options.keep_crest))
       simplification["keep_crest"] = data_->options.keep_crest;
     // a mesh that was simplified before keeps what was done then

@@ -18,7 +18,8 @@ namespace CGAL::Extremal_mesh_3 {
 /// then be detached as one line until as many are left as the sum of the indices wants.
 struct Candidate {
   Simplification_operation operation{};
-  double cost = 0; ///< a difference of curvatures, in 1/length
+  double cost = 0;       ///< what decides which comes first: the difference, or a life time
+  double difference = 0; ///< of curvatures, in 1/length: decides between equal costs
   /// the edges that are contracted into the source of `first` (`second` none but when three vertices are merged); or
   /// the line that is dropped, with what vanishes on its left; or a half-edge of either island
   Half_edge first = Embedded_graph::none, second = Embedded_graph::none;

@@ -5,9 +5,11 @@
 #include "../differential/vector.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <tuple>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -49,12 +51,15 @@ Step_finder::Tree_point tree_point(const Point& p) {
 bool Step_finder::Dearer::operator()(const Candidate& a, const Candidate& b) const {
   if (a.cost != b.cost)
     return a.cost > b.cost;
+  if (a.difference != b.difference)
+    return a.difference > b.difference;
   if (a.operation != b.operation)
     return a.operation > b.operation;
   return a.first != b.first ? a.first > b.first : a.second > b.second;
 }
 
-Step_finder::Step_finder(const Embedded_graph& graph) : graph_(graph) {
+Step_finder::Step_finder(const Embedded_graph& graph, Simplification_measure measure)
+    : graph_(graph), measure_(measure) {
   Union_find components(graph.number_of_cells());
   std::vector<std::uint32_t> cell_at(graph.vertices().size(), Embedded_graph::none);
   for (Half_edge h = 0; h < 2 * graph.edges().size(); ++h) {
@@ -79,7 +84,7 @@ std::optional<Candidate> Step_finder::next() {
     const Candidate top = queue_.top();
     queue_.pop();
     const std::optional<Candidate> now = evaluate(top);
-    if (now && now->cost <= top.cost)
+    if (now && std::tie(now->cost, now->difference) <= std::tie(top.cost, top.difference))
       return now;
     push(now);
     if (!now && top.operation == Simplification_operation::cancel_islands) {
@@ -210,12 +215,22 @@ std::optional<Candidate> Step_finder::islands(std::uint32_t a, std::uint32_t b) 
         least = std::min(least,
                          std::max({std::abs(p.k1 - q.k1), std::abs(p.k2 - q.k2), slope * distance(p.point, q.point)}));
     }
-  return Candidate{Simplification_operation::cancel_islands, least, graph_.vertices()[std::min(a, b)].first,
-                   graph_.vertices()[std::max(a, b)].first};
+  double longest = 0;
+  for (const Island* island : {&*x, &*y})
+    for (const std::uint32_t v : island->vertices)
+      longest = std::max(longest, life_time(v));
+  return priced({Simplification_operation::cancel_islands, 0, least, graph_.vertices()[std::min(a, b)].first,
+                 graph_.vertices()[std::max(a, b)].first},
+                longest);
+}
+
+Candidate Step_finder::priced(Candidate step, double life_time) const {
+  step.cost = measure_ == Simplification_measure::life_time ? life_time : step.difference;
+  return step;
 }
 
 /// by how much k_j, or k1 − k2 where that is less, must change along an edge to take its ends together.
-double Step_finder::cost_of(std::uint32_t edge) const {
+double Step_finder::difference_along(std::uint32_t edge) const {
   const Embedded_graph::Edge& e = graph_.edges()[edge];
   const auto is_umbilic = [&](Half_edge h) { return graph_.vertices()[graph_.source(h)].half_turns != 0; };
   return is_umbilic(2 * edge) || is_umbilic(2 * edge + 1) ? std::min(e.difference, e.split) : e.difference;
@@ -237,7 +252,7 @@ std::optional<Candidate> Step_finder::pair(Half_edge h) const {
   const Indices a = indices(x), b = indices(y);
   if (!(a + b).is_empty_or_generic())
     return std::nullopt;
-  Candidate c{Operation::merge_vertices, cost_of(h / 2), h, Embedded_graph::none};
+  Candidate c{Operation::merge_vertices, 0, difference_along(h / 2), h, Embedded_graph::none};
   const bool generic = x.kind != Vertex_kind::non_generic && y.kind != Vertex_kind::non_generic;
   if (generic && a + b == Indices{})
     c.operation = a.half_turns == 0 ? Operation::cancel_extremal_points : Operation::cancel_umbilics;
@@ -250,7 +265,10 @@ std::optional<Candidate> Step_finder::pair(Half_edge h) const {
   } else if (!all_free(u) || !all_free(w)) {
     return std::nullopt;
   }
-  return c;
+  // Of two that are merged one stays, at its place: that which lives longer, if that counts.
+  if (measure_ == Simplification_measure::life_time && x.life_time < y.life_time)
+    c.first ^= 1U;
+  return priced(c, a + b == Indices{} ? std::max(x.life_time, y.life_time) : std::min(x.life_time, y.life_time));
 }
 
 std::optional<Candidate> Step_finder::triple(Half_edge first, Half_edge second) const {
@@ -265,8 +283,11 @@ std::optional<Candidate> Step_finder::triple(Half_edge first, Half_edge second) 
     return std::nullopt;
   if (!all_free(u) || !all_free(middle) || !all_free(w))
     return std::nullopt;
-  return Candidate{Simplification_operation::merge_vertices, std::max(cost_of(first / 2), cost_of(second / 2)), first,
-                   second};
+  std::array<double, 3> life_times{x.life_time, m.life_time, y.life_time};
+  std::sort(life_times.begin(), life_times.end());
+  return priced({Simplification_operation::merge_vertices, 0,
+                 std::max(difference_along(first / 2), difference_along(second / 2)), first, second},
+                a + b + c == Indices{} ? life_times[2] : life_times[1]);
 }
 
 std::optional<Candidate> Step_finder::drop(Half_edge h) const {
@@ -276,7 +297,7 @@ std::optional<Candidate> Step_finder::drop(Half_edge h) const {
   if (e.kept || !inside.is_disk_with_one_side())
     return std::nullopt;
   const std::uint32_t u = graph_.source(h), w = graph_.target(h);
-  Candidate c{Operation::drop_closed_line, 0, h, Embedded_graph::none};
+  Candidate c{Operation::drop_closed_line, 0, difference_within(e, inside), h, Embedded_graph::none};
   if (graph_.vertices()[u].kind == Vertex_kind::boundary && graph_.vertices()[w].kind == Vertex_kind::boundary)
     c.operation = Operation::drop_border_line;
   else if (inside.touches_border || graph_.vertices()[u].frozen)
@@ -286,8 +307,7 @@ std::optional<Candidate> Step_finder::drop(Half_edge h) const {
       return std::nullopt;
     c.operation = Operation::drop_loop;
   }
-  c.cost = difference_within(e, inside);
-  return c;
+  return priced(c, e.life_time);
 }
 
 } // namespace CGAL::Extremal_mesh_3

@@ -21,7 +21,7 @@ namespace CGAL::Extremal_mesh_3 {
 class Step_finder {
 public:
   /// \param graph  outlives it
-  explicit Step_finder(const Embedded_graph& graph);
+  Step_finder(const Embedded_graph& graph, Simplification_measure measure);
 
   /// the cheapest step that is possible now; none if there is none.
   std::optional<Candidate> next();
@@ -46,10 +46,14 @@ private:
   std::optional<Candidate> nearest_partner(std::uint32_t vertex) const;
   Point centre(const Island& island) const;
   std::optional<Candidate> evaluate(const Candidate& candidate) const;
-  double cost_of(std::uint32_t edge) const;
+  double difference_along(std::uint32_t edge) const;
+  /// a step by the measure, if what vanishes lives so long.
+  Candidate priced(Candidate step, double life_time) const;
+  double life_time(std::uint32_t vertex) const { return graph_.vertices()[vertex].life_time; }
   bool all_free(std::uint32_t vertex) const;
 
   const Embedded_graph& graph_;
+  Simplification_measure measure_;
   std::vector<std::uint32_t> component_;         ///< of the surface, of each cell
   std::unordered_set<std::uint32_t> registered_; ///< the first vertices of the islands in the trees
   Tree bumps_, saddles_;                         ///< the centres of islands, some of which are no more

@@ -57,6 +57,8 @@ private:
       edge.length += piece.length;
       edge.strength += piece.strength;
       edge.sharpness += piece.sharpness;
+      if (piece.life_time)
+        edge.life_time = std::max(edge.life_time.value_or(0), *piece.life_time);
       for (std::size_t i = 0; i < piece.segment_types.size(); ++i)
         length_of_type[std::size_t(piece.segment_types[i])] += distance(piece.polyline[i], piece.polyline[i + 1]);
     }
@@ -106,6 +108,8 @@ private:
     if (vertex.kind != from.kind || vertex.umbilic_index * 2 != from.half_turns ||
         vertex.field_index != from.field_index)
       change_kind(vertex, from);
+    if (vertex.life_time)
+      vertex.life_time = from.life_time;
     vertex.star.clear();
     for (const Half_edge h : graph_.star(v))
       vertex.star.push_back(half_edge(h));

@@ -53,6 +53,7 @@ int extract(const Extract_options& options);
 struct Simplify_options : Output_options {
   std::string file;
   std::optional<double> threshold, keep_crest;
+  std::string measure = "persistence"; ///< or `life-time`
   std::optional<std::int64_t> number_of_cells, number_of_vertices, level;
   bool gap = false;
   std::string patches;                ///< the given mesh's cells, as `extract --cells` writes them

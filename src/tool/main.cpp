@@ -84,8 +84,9 @@ void add_extract(CLI::App& app, tool::Extract_options& options, std::function<in
          "the same where only the course of a line is uncertain (as --max-level; images 2)");
   option("--line-tolerance", options.line_tolerance, "LENGTH",
          "formulas and images: how far the lines may be from what is written of them (0: as the polygons make it)");
-  command->add_flag("--certify", options.certify,
-                    "formulas: prove what cells hold, and count them (takes long); images: prove the surface's topology");
+  command->add_flag(
+      "--certify", options.certify,
+      "formulas: prove what cells hold, and count them (takes long); images: prove the surface's topology");
   command->footer("Example:\n  extremal_mesh extract --formula \"x^2/9+y^2/4+z^2-1\" --box -4 -3 -2 4 3 2 "
                   "-o ellipsoid.graphml -o ellipsoid.png\n"
                   "  extremal_mesh extract skull.nii.gz --iso 300 --sigma 1.5 -o skull.graphml --report skull.json\n"
@@ -99,7 +100,9 @@ void add_simplify(CLI::App& app, tool::Simplify_options& options, std::function<
   const auto option = [&](const std::string& name, auto& value, const std::string& type, const std::string& text) {
     return command->add_option(name, value, text)->type_name(type);
   };
-  option("--threshold", options.threshold, "T", "do every step of at most this persistence");
+  option("--measure", options.measure, "NAME",
+         "what a step costs: persistence, or life-time, which 'scale-space --graphs' tells");
+  option("--threshold", options.threshold, "T", "do every step of at most this persistence, or life time");
   option("--cells", options.number_of_cells, "N", "until there are at most so many cells");
   option("--vertices", options.number_of_vertices, "N", "until there are at most so many vertices");
   option("--level", options.level, "L", "do so many steps");
@@ -193,7 +196,9 @@ int run(int argc, char** argv) {
     return tell(fmt::format("{}; 'extremal_mesh --help' shows how to call it", error.what()), tool::usage);
   }
   if (!command)
-    return tell("there is no command; give extract, info, check, simplify, query, register, compare, landmarks, match or scale-space", tool::usage);
+    return tell("there is no command; give extract, info, check, simplify, query, register, compare, landmarks, match "
+                "or scale-space",
+                tool::usage);
   const int code = command();
   if (std::fflush(stdout) != 0)
     return tell("the output cannot be written; is the disk full?", tool::failure);

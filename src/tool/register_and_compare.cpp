@@ -50,6 +50,7 @@ Json json_of(const Registration& r, const Extremal_mesh& a) {
     json["surface_rms"] = r.surface_rms;
     json["uncertainty"] = {{"rotation_degrees", degrees * r.rotation_error},
                            {"translation", r.translation_error},
+                           {"centre", r.centre},
                            {"scale", r.scale_error}};
   }
   json["evidence"] = {{"vertices", e.vertices},

@@ -60,15 +60,15 @@ int scale_space(const Scale_space_command_options& options) {
     throw Usage_error(fmt::format("'{}' is no folder; give --graphs one that is there", options.folder));
   catch_interrupts();
   std::vector<Extremal_mesh> meshes;
-  for (const double sigma : sigmas) {
+  for (const double sigma : sigmas)
     meshes.push_back(mesh_at(options, sigma));
-    if (!options.folder.empty())
-      write_graphml((std::filesystem::path(options.folder) / fmt::format("sigma_{}.graphml", sigma)).string(),
-                    meshes.back());
-  }
   Scale_space_options how;
   how.tolerance = options.tolerance.value_or(0);
   const Scale_space space = link_scales(meshes, sigmas, how);
+  if (!options.folder.empty())
+    for (std::size_t level = 0; level < meshes.size(); ++level)
+      write_graphml((std::filesystem::path(options.folder) / fmt::format("sigma_{}.graphml", sigmas[level])).string(),
+                    with_life_times(meshes, space, level));
   if (!options.output.empty())
     write_scale_counts(options.output, space, meshes);
   if (!options.events.empty())

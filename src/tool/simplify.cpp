@@ -31,6 +31,9 @@ void validate(const Simplify_options& options, const Outputs& outputs) {
     throw Usage_error(fmt::format("it is not said how far to simplify; give one of {}", criteria));
   if (outputs.empty() && options.persistence.empty() && options.hierarchy.empty())
     throw Usage_error("there is nothing to write; give -o FILE, --persistence FILE or --hierarchy FILE");
+  if (options.measure != "persistence" && options.measure != "life-time")
+    throw Usage_error(
+        fmt::format("the measure '{}' is not known; give --measure persistence or life-time", options.measure));
   if (options.threshold && !(*options.threshold >= 0))
     throw Usage_error(
         fmt::format("the threshold is {}; give --threshold a persistence of at least 0", *options.threshold));
@@ -71,11 +74,13 @@ std::string counts(std::size_t vertices, std::size_t edges, std::size_t cells) {
   return fmt::format("{} vertices, {} edges, {} cells", vertices, edges, cells);
 }
 
-std::string step_text(const std::string& name, const Simplification& simplification, std::size_t step) {
+std::string step_text(const std::string& name, const Simplification& simplification, std::size_t step,
+                      const Simplify_options& options) {
   if (step >= simplification.steps().size())
     return fmt::format("{:<10} none\n", name);
   const Simplification_step& s = simplification.steps()[step];
-  return fmt::format("{:<10} {} of persistence {:.4g}\n", name, to_string(s.operation), s.persistence);
+  return fmt::format("{:<10} {} of {} {:.4g}\n", name, to_string(s.operation),
+                     options.measure == "life-time" ? "life time" : "persistence", s.persistence);
 }
 
 /// the patches of the given mesh; none if there is no file of them.
@@ -103,6 +108,8 @@ int simplify(const Simplify_options& options) {
 
   const std::string before = counts(mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_cells());
   Simplification_options simplification_options;
+  if (options.measure == "life-time")
+    simplification_options.measure = Simplification_measure::life_time;
   if (options.keep_crest)
     simplification_options.keep_crest = *options.keep_crest;
   const Simplification simplification = [&] {
@@ -139,7 +146,8 @@ int simplify(const Simplify_options& options) {
   tell_if_unreached(simple.number_of_vertices(), options.number_of_vertices, "vertices");
   fmt::print("{:<10} {} of {}, {} at the gap\n", "level", level, simplification.number_of_levels() - 1,
              simplification.level_at_gap());
-  fmt::print("{}{}", step_text("last step", simplification, level - 1), step_text("next step", simplification, level));
+  fmt::print("{}{}", step_text("last step", simplification, level - 1, options),
+             step_text("next step", simplification, level, options));
   fmt::print("{}", summary_text(simple, result.checks, nullptr));
   return success;
 }

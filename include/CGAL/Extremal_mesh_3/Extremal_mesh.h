@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -70,20 +71,22 @@ struct Extremal_mesh_vertex {
   std::array<Line_type, 2> extrema{};
   /// the outgoing half-edges, counter-clockwise seen from the side of the normal
   std::vector<Half_edge> star;
+  /// ln(last σ / first σ) at which it is found, no unit; nothing if other scales were not looked at: see scale_space.h
+  std::optional<double> life_time;
 };
 
 /// An extremal line between two vertices (an edge of the extremal mesh).
 struct Extremal_mesh_edge {
   std::uint32_t id = 0;
-  std::uint32_t source = 0, target = 0;    ///< the ends of half-edge 2·id
-  int family = 1;                          ///< e_family = 0 along the edge
-  std::vector<Point> polyline;             ///< on the surface, from source to target, both included
-  std::vector<Vector> normals;             ///< of the surface at the polyline's points, unit
-  std::vector<double> k1, k2;              ///< principal curvatures at the polyline's points
+  std::uint32_t source = 0, target = 0; ///< the ends of half-edge 2·id
+  int family = 1;                       ///< e_family = 0 along the edge
+  std::vector<Point> polyline;          ///< on the surface, from source to target, both included
+  std::vector<Vector> normals;          ///< of the surface at the polyline's points, unit
+  std::vector<double> k1, k2;           ///< principal curvatures at the polyline's points
   /// |e_j| ≥ 0 of the other family j = 3 − family at the polyline's points, in 1/length²: 0 at extremal points; at
   /// umbilics, where it has no limit, that of the point beside
   std::vector<double> extremality;
-  std::vector<Line_type> segment_types;    ///< one per segment of the polyline
+  std::vector<Line_type> segment_types; ///< one per segment of the polyline
   /// where they change, in the order of the points: nowhere else but at vertices. There ∇e_i·t_i, k1 + k2 or k_i is 0, but
   /// for points of cells that stayed unresolved. Empty, too, in files of a version that did not tell
   std::vector<Type_change> type_changes;
@@ -92,6 +95,7 @@ struct Extremal_mesh_edge {
   double strength = 0;                         ///< ∫|k_family| ds, no unit
   double sharpness = 0;                        ///< area of the surface × ∫|∇e_family·t_family| ds, no unit
   std::uint32_t left_cell = 0, right_cell = 0; ///< walking from source to target with the normal upwards
+  std::optional<double> life_time;             ///< as that of a vertex
 };
 
 /// A cell of the extremal mesh: a component of the surface minus the lines, in which E_g keeps its sign.

@@ -55,10 +55,12 @@ struct Registration {
   double rms = 0;                        ///< of their distances
   double surface_rms = 0;                ///< of the distances between the surfaces, on the lines, outliers apart
   /// \name Standard errors
-  /// from the residuals, as far as they are independent of each other between blocks of a few tolerances
+  /// root mean squares of the errors that the noise of the surfaces makes, by how much they differ and over which distances these differences depend
+  /// on each other
   /// @{
-  double rotation_error = 0;    ///< in radians: about the worst axis
-  double translation_error = 0; ///< of the overlap's centre: along the worst direction
+  double rotation_error = 0;    ///< of the angle, in radians
+  Point centre{};               ///< of the overlap, in the second mesh
+  double translation_error = 0; ///< of the distance between where the centre is and where it should be
   double scale_error = 0;
   /// @}
   /// other motions that fit nearly as well, as on symmetric surfaces

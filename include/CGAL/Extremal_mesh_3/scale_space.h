@@ -55,10 +55,12 @@ struct Scale_space {
   std::vector<Scale_event> events; ///< by level
   /// of each vertex of each level; `no_track` for other kinds of vertices
   std::vector<std::vector<std::uint32_t>> track;
+  std::vector<double> reach; ///< how far what is the same may be apart at level i and level i + 1
 
   /// ln(σ of the last level at which a vertex is found / σ of the first one): 0 if it is found at one only. No unit.
   std::vector<double> vertex_life_times(std::size_t level) const;
-  /// the same for each edge of a level: at how many levels before and after edges of its family join the same two tracks.
+  /// the same for each edge of a level: over the levels before and after at which edges of its family join the same two tracks; of an edge that does
+  /// not join two, such as a closed line: over those at which half of its points are within reach of lines of its family.
   std::vector<double> edge_life_times(const std::vector<Extremal_mesh>& meshes, std::size_t level) const;
 };
 
@@ -68,6 +70,10 @@ struct Scale_space {
 /// \throws std::invalid_argument if there are not as many σ as meshes, or they do not ascend
 Scale_space link_scales(const std::vector<Extremal_mesh>& meshes, std::vector<double> sigmas,
                         const Scale_space_options& options = {});
+
+/// the mesh of a level, with the life times of its vertices and edges: they are written to GraphML, and can be the measure of a `Simplification`.
+/// \throws std::invalid_argument if there is no such level
+Extremal_mesh with_life_times(const std::vector<Extremal_mesh>& meshes, const Scale_space& space, std::size_t level);
 
 /// \name Files
 /// @{

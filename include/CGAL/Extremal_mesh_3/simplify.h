@@ -30,11 +30,19 @@ enum class Simplification_operation : std::uint8_t {
 };
 std::string_view to_string(Simplification_operation);
 
+/// What it costs that something vanishes.
+enum class Simplification_measure : std::uint8_t {
+  persistence, ///< by how much a principal curvature must change for it
+  /// how long it lives over σ: the longest life time of what vanishes; of steps that are equal in that, the least persistent comes first
+  life_time
+};
+std::string_view to_string(Simplification_measure);
+
 /// One step of a simplification.
 struct Simplification_step {
   Simplification_operation operation = Simplification_operation::cancel_extremal_points;
   /// by how much a principal curvature must change for it, times the square root of the surface's area (no unit); it
-  /// never falls from a step to the next
+  /// never falls from a step to the next. If life times are the measure, the longest of what has vanished so far
   double persistence = 0;
   Point point{};                                  ///< where it happens
   std::vector<std::uint32_t> vanished;            ///< vertices of the unsimplified mesh that are no more
@@ -42,6 +50,7 @@ struct Simplification_step {
 };
 
 struct Simplification_options {
+  Simplification_measure measure = Simplification_measure::persistence;
   /// crest lines, as `strongest_crest_lines()` gathers them, of at least this strength keep their course
   double keep_crest = std::numeric_limits<double>::infinity();
 };
@@ -55,7 +64,8 @@ struct Simplification_options {
 class Simplification {
 public:
   /// finds all steps. O(n log n) for n edges.
-  /// \throws std::invalid_argument if the mesh's stars, walks, degrees, signs or numbers fail in `check()`
+  /// \throws std::invalid_argument if the mesh's stars, walks, degrees, signs or numbers fail in `check()`, or it has no life times and
+  ///         these are the measure
   explicit Simplification(Extremal_mesh mesh, const Simplification_options& options = {});
   ~Simplification();
   Simplification(Simplification&&) noexcept;
