@@ -67,6 +67,20 @@ void write_nrrd(const std::string& file) {
 
 } // namespace
 
+TEST_F(Tool, views_a_graph) {
+  ASSERT_EQ(run(ellipsoid + "-o e.graphml --cells e.ply -o at_once.png --size 160x120 --camera 0 1 0").code, 0);
+  const Outcome outcome = run("view e.graphml --surface e.ply -o e.html -o e.png --size 160x120 --camera 0 1 0");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "e.html\ne.png\n");
+  EXPECT_EQ(read_text(folder.file("e.png")), read_text(folder.file("at_once.png")));
+  EXPECT_TRUE(read_text(folder.file("e.html")).starts_with("<!DOCTYPE html>"));
+  EXPECT_TRUE(contains(refusal("view e.graphml", 2), "-o view.html"));
+  EXPECT_TRUE(contains(refusal("view e.graphml -o e.graphml", 2), "an .html or a .png"));
+  EXPECT_TRUE(contains(refusal("view e.graphml -o x.html --up 0 0 1 --view 0 0 2", 2), "two different directions"));
+  EXPECT_TRUE(contains(refusal("view none.graphml -o x.html", 1), "none.graphml"));
+  EXPECT_TRUE(contains(refusal("view e.graphml --surface e.graphml -o x.html", 1), "e.graphml"));
+}
+
 TEST_F(Tool, extracts_the_mesh_of_an_ellipsoid) { // MATHEMATICS 4: V, E, F = 10, 16, 8
   const Outcome outcome = run(ellipsoid + "-o out.graphml -o cells.off -o picture.png --size 200x150 --lines lines.off "
                                           "--cells patches.off --surface surface.off --report report.json");

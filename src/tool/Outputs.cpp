@@ -49,8 +49,11 @@ Outputs::Outputs(const Output_options& options) {
       add(Kind::cell_polygons, file);
     else if (extension == ".png")
       add(Kind::picture, file);
+    else if (extension == ".html")
+      add(Kind::page, file);
     else
-      throw Usage_error(fmt::format("the extension of '{}' is not known; give -o a .graphml, an .off or a .png", file));
+      throw Usage_error(
+          fmt::format("the extension of '{}' is not known; give -o a .graphml, an .off, an .html or a .png", file));
   }
   add(Kind::lines, options.lines);
   if (!options.cells.empty()) {
@@ -79,6 +82,7 @@ Outputs::Outputs(const Output_options& options) {
     render_.view = options.view;
   if (options.up != Vector{})
     render_.up = options.up;
+  view_ = {render_.view, render_.up, colouring_};
 }
 
 void Outputs::add(Kind kind, const std::string& file) {
@@ -97,8 +101,14 @@ void Outputs::reserve(const std::string& file) {
 
 bool Outputs::need_patches() const {
   return std::any_of(outputs_.begin(), outputs_.end(), [](const Output& output) {
-    return output.kind == Kind::picture || output.kind == Kind::patches_off || output.kind == Kind::patches_ply;
+    return output.kind == Kind::picture || output.kind == Kind::page || output.kind == Kind::patches_off ||
+           output.kind == Kind::patches_ply;
   });
+}
+
+bool Outputs::only_pictures() const {
+  return std::all_of(outputs_.begin(), outputs_.end(),
+                     [](const Output& output) { return output.kind == Kind::picture || output.kind == Kind::page; });
 }
 
 void Outputs::write(const Result& result) const {
@@ -117,6 +127,8 @@ void Outputs::write(const Output& output, const Result& result) const {
     return write_off(output.file, extraction.mesh, colouring_);
   case Kind::picture:
     return render_png(output.file, extraction.mesh, extraction.patches, render_);
+  case Kind::page:
+    return write_view(output.file, extraction.mesh, extraction.patches, view_);
   case Kind::lines:
     return write_lines_off(output.file, extraction.mesh);
   case Kind::patches_off:
@@ -130,6 +142,17 @@ void Outputs::write(const Output& output, const Result& result) const {
   case Kind::other:
     break;
   }
+}
+
+Cell_patches read_patches_of(const std::string& file, const Extremal_mesh& mesh, const std::string& graph) {
+  if (file.empty())
+    return {};
+  Cell_patches patches = read_cell_patches(file);
+  for (const std::uint32_t c : patches.cell)
+    if (c >= mesh.number_of_cells())
+      throw Io_error(fmt::format("'{}' is not of the mesh in '{}': it has a cell {}, the mesh has {} cells", file,
+                                 graph, c, mesh.number_of_cells()));
+  return patches;
 }
 
 } // namespace CGAL::Extremal_mesh_3::tool

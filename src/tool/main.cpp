@@ -37,20 +37,29 @@ std::vector<std::string> arguments(int argc, char** argv) {
   return result;
 }
 
+/// how pages and pictures look.
+void add_look(CLI::App& command, tool::Output_options& options) {
+  const auto option = [&](const std::string& name, auto& value, const std::string& type, const std::string& text) {
+    return command.add_option(name, value, text)->type_name(type);
+  };
+  option("--colour", options.colour, "sign|cell", "of cells: two tints by the sign of E_g, or one for each (sign)");
+  option("--view,--camera", options.view, "DX DY DZ", "the direction of sight of pages and pictures");
+  option("--up", options.up, "DX DY DZ", "what points upwards in them (0 0 1)");
+  option("--size", options.size, "WIDTHxHEIGHT", "of the picture in pixels (1600x1200)");
+  option("--threads", options.threads, "N", "0: as many as there are cores (0)");
+  command.add_flag("--quiet", options.quiet, "print errors only");
+}
+
 /// the options of all commands that write a mesh.
 void add_outputs(CLI::App& command, tool::Output_options& options) {
   const auto option = [&](const std::string& name, auto& value, const std::string& type, const std::string& text) {
     return command.add_option(name, value, text)->type_name(type);
   };
-  option("-o,--output", options.outputs, "FILE", "the graph (.graphml), its cells (.off), a picture (.png); repeatable")
+  option("-o,--output", options.outputs, "FILE",
+         "the graph (.graphml), its cells (.off), a page to look at (.html), a picture (.png); repeatable")
       ->allow_extra_args(false);
   option("--lines", options.lines, "FILE", "write the lines as coloured tubes (.off)");
-  option("--colour", options.colour, "sign|cell", "of cells: two tints by the sign of E_g, or one for each (sign)");
-  option("--view", options.view, "DX DY DZ", "the direction of sight of the picture");
-  option("--up", options.up, "DX DY DZ", "what points upwards in the picture (0 0 1)");
-  option("--size", options.size, "WIDTHxHEIGHT", "of the picture in pixels (1600x1200)");
-  option("--threads", options.threads, "N", "0: as many as there are cores (0)");
-  command.add_flag("--quiet", options.quiet, "print errors only");
+  add_look(command, options);
 }
 
 void add_extract(CLI::App& app, tool::Extract_options& options, std::function<int()>& run) {
@@ -84,8 +93,9 @@ void add_extract(CLI::App& app, tool::Extract_options& options, std::function<in
          "the same where only the course of a line is uncertain (as --max-level; images 2)");
   option("--line-tolerance", options.line_tolerance, "LENGTH",
          "formulas and images: how far the lines may be from what is written of them (0: as the polygons make it)");
-  command->add_flag("--certify", options.certify,
-                    "formulas: prove what cells hold, and count them (takes long); images: prove the surface's topology");
+  command->add_flag(
+      "--certify", options.certify,
+      "formulas: prove what cells hold, and count them (takes long); images: prove the surface's topology");
   command->footer("Example:\n  extremal_mesh extract --formula \"x^2/9+y^2/4+z^2-1\" --box -4 -3 -2 4 3 2 "
                   "-o ellipsoid.graphml -o ellipsoid.png\n"
                   "  extremal_mesh extract skull.nii.gz --iso 300 --sigma 1.5 -o skull.graphml --report skull.json\n"
@@ -126,6 +136,25 @@ void add_graph_command(CLI::App& app, const std::string& name, const std::string
   command->add_flag("--json", options.json, "print one JSON object");
   command->footer(fmt::format("Example:\n  extremal_mesh {} ellipsoid.graphml --json", name));
   command->callback([&options, function, &run] { run = [&options, function] { return function(options); }; });
+}
+
+void add_view(CLI::App& app, tool::View_command_options& options, std::function<int()>& run) {
+  CLI::App* command = app.add_subcommand("view", "makes a page that shows an extremal mesh in a browser, or a picture");
+  command->add_option("GRAPH", options.file, "an extremal mesh (.graphml)")->required()->type_name("");
+  command
+      ->add_option("--surface", options.patches,
+                   "the cells of GRAPH as 'extract --cells' wrote them (.ply); without them the lines are shown alone")
+      ->type_name("FILE");
+  const auto option = [&](const std::string& name, auto& value, const std::string& type, const std::string& text) {
+    return command->add_option(name, value, text)->type_name(type);
+  };
+  option("-o,--output", options.outputs, "FILE", "a page that needs no network (.html), a picture (.png); repeatable")
+      ->allow_extra_args(false);
+  add_look(*command, options);
+  command->footer(
+      "Example:\n  extremal_mesh view skull.graphml --surface cells.ply -o skull.html\n"
+      "  extremal_mesh view skull.graphml --surface cells.ply -o skull.png --camera 0.5 1 -0.2 --size 1200x900");
+  command->callback([&] { run = [&] { return tool::view(options); }; });
 }
 
 void add_query(CLI::App& app, tool::Query_options& options, std::function<int()>& run) {
@@ -184,6 +213,8 @@ int run(int argc, char** argv) {
   add_simplify(app, simplify_options, command);
   tool::Query_options query_options;
   add_query(app, query_options, command);
+  tool::View_command_options view_options;
+  add_view(app, view_options, command);
   tool::add_registration_commands(app, command);
   try {
     app.parse(arguments(argc, argv));
@@ -193,7 +224,9 @@ int run(int argc, char** argv) {
     return tell(fmt::format("{}; 'extremal_mesh --help' shows how to call it", error.what()), tool::usage);
   }
   if (!command)
-    return tell("there is no command; give extract, info, check, simplify, query, register, compare, landmarks, match or scale-space", tool::usage);
+    return tell("there is no command; give extract, info, check, simplify, query, register, compare, landmarks, match, "
+                "scale-space or view",
+                tool::usage);
   const int code = command();
   if (std::fflush(stdout) != 0)
     return tell("the output cannot be written; is the disk full?", tool::failure);
