@@ -301,7 +301,7 @@ TEST_F(Tool, simplify_refuses_what_makes_no_sense) {
   EXPECT_TRUE(contains(refusal(command + "-o a.graphml --level 100000", 2), "there is no level 100000"));
   refusal(command + "-o a.graphml --gap --keep-crest -1", 2);
   refusal(command + "-o a.graphml --gap --threads -1", 2);
-  refusal(command + "-o a.obj --gap", 2);
+  refusal(command + "-o a.stl --gap", 2);
   refusal(command + "--persistence a.pdf", 2);
   refusal(command + "--persistence a.csv --hierarchy a.csv", 2);
   EXPECT_TRUE(contains(refusal(command + "--gap --patches a.ply", 2), "--surface"));

@@ -32,12 +32,35 @@ public:
   void write(const Result& result) const;
 
 private:
-  enum class Kind { graphml, cell_polygons, picture, page, lines, patches_off, patches_ply, surface, report, other };
+  enum class Kind {
+    graphml,
+    cell_polygons,
+    picture,
+    page,
+    obj,
+    lines_ply,
+    vtp,
+    gltf,
+    vertices_csv,
+    edges_csv,
+    cells_csv,
+    json,
+    markups,
+    lines,
+    patches_off,
+    patches_ply,
+    surface,
+    report,
+    other
+  };
   struct Output {
     Kind kind;
     std::string file;
   };
 
+  /// what a file is, by its ending.
+  /// \throws Usage_error if that is not known
+  static Kind kind_of(const std::string& file);
   void add(Kind kind, const std::string& file);
   void write(const Output& output, const Result& result) const;
 

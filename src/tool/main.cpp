@@ -37,6 +37,13 @@ std::vector<std::string> arguments(int argc, char** argv) {
   return result;
 }
 
+/// what -o writes.
+constexpr const char* formats = "the graph (.graphml .json), its cells (.off), its lines (.obj .ply), all with the "
+                                "surface (.vtp .glb .gltf), tables "
+                                "(.vertices.csv .edges.csv .cells.csv), markups of 3D Slicer (.mrk.json), a page to "
+                                "look at (.html), a picture (.png); "
+                                "repeatable";
+
 /// how pages and pictures look.
 void add_look(CLI::App& command, tool::Output_options& options) {
   const auto option = [&](const std::string& name, auto& value, const std::string& type, const std::string& text) {
@@ -55,9 +62,7 @@ void add_outputs(CLI::App& command, tool::Output_options& options) {
   const auto option = [&](const std::string& name, auto& value, const std::string& type, const std::string& text) {
     return command.add_option(name, value, text)->type_name(type);
   };
-  option("-o,--output", options.outputs, "FILE",
-         "the graph (.graphml), its cells (.off), a page to look at (.html), a picture (.png); repeatable")
-      ->allow_extra_args(false);
+  option("-o,--output", options.outputs, "FILE", formats)->allow_extra_args(false);
   option("--lines", options.lines, "FILE", "write the lines as coloured tubes (.off)");
   add_look(command, options);
 }
@@ -157,6 +162,26 @@ void add_view(CLI::App& app, tool::View_command_options& options, std::function<
   command->callback([&] { run = [&] { return tool::view(options); }; });
 }
 
+void add_convert(CLI::App& app, tool::View_command_options& options, std::function<int()>& run) {
+  CLI::App* command = app.add_subcommand("convert", "writes an extremal mesh for other programs");
+  command->add_option("GRAPH", options.file, "an extremal mesh (.graphml)")->required()->type_name("");
+  command->add_option("OUT", options.converted, "the same as -o OUT")->type_name("");
+  command
+      ->add_option("--surface", options.patches,
+                   "the cells of GRAPH as 'extract --cells' wrote them (.ply), for what shows the surface")
+      ->type_name("FILE");
+  add_outputs(*command, options);
+  command->footer(
+      "Example:\n  extremal_mesh convert skull.graphml --surface cells.ply -o skull.vtp -o skull.edges.csv");
+  command->callback([&] {
+    run = [&] {
+      if (!options.converted.empty())
+        options.outputs.insert(options.outputs.begin(), options.converted);
+      return tool::convert(options);
+    };
+  });
+}
+
 void add_query(CLI::App& app, tool::Query_options& options, std::function<int()>& run) {
   CLI::App* command = app.add_subcommand("query", "answers one question about an extremal mesh, as a JSON object");
   command->add_option("GRAPH", options.file, "an extremal mesh (.graphml)")->required()->type_name("");
@@ -215,6 +240,8 @@ int run(int argc, char** argv) {
   add_query(app, query_options, command);
   tool::View_command_options view_options;
   add_view(app, view_options, command);
+  tool::View_command_options convert_options;
+  add_convert(app, convert_options, command);
   tool::add_registration_commands(app, command);
   try {
     app.parse(arguments(argc, argv));
@@ -225,7 +252,7 @@ int run(int argc, char** argv) {
   }
   if (!command)
     return tell("there is no command; give extract, info, check, simplify, query, register, compare, landmarks, match, "
-                "scale-space or view",
+                "scale-space, view or convert",
                 tool::usage);
   const int code = command();
   if (std::fflush(stdout) != 0)

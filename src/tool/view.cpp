@@ -10,13 +10,9 @@
 
 namespace CGAL::Extremal_mesh_3::tool {
 
-int view(const View_command_options& options) {
-  const Outputs outputs(options);
-  if (outputs.empty())
-    throw Usage_error("there is nothing to write; give -o view.html or -o picture.png");
-  if (!outputs.only_pictures())
-    throw Usage_error(
-        "what is viewed is a page or a picture; give -o an .html or a .png, or use 'extremal_mesh convert'");
+namespace {
+
+int write_outputs(const View_command_options& options, const Outputs& outputs) {
   catch_interrupts();
   Result result;
   result.extraction.mesh = read_graphml(options.file);
@@ -26,6 +22,25 @@ int view(const View_command_options& options) {
     for (const std::string& file : options.outputs)
       fmt::print("{}\n", file);
   return success;
+}
+
+} // namespace
+
+int view(const View_command_options& options) {
+  const Outputs outputs(options);
+  if (outputs.empty())
+    throw Usage_error("there is nothing to write; give -o view.html or -o picture.png");
+  if (!outputs.only_pictures())
+    throw Usage_error(
+        "what is viewed is a page or a picture; give -o an .html or a .png, or use 'extremal_mesh convert'");
+  return write_outputs(options, outputs);
+}
+
+int convert(const View_command_options& options) {
+  const Outputs outputs(options);
+  if (outputs.empty())
+    throw Usage_error("there is nothing to write; give -o FILE, what it is follows from its extension");
+  return write_outputs(options, outputs);
 }
 
 } // namespace CGAL::Extremal_mesh_3::tool

@@ -7,7 +7,7 @@
 
 #include "../differential/vector.h"
 #include "../io/cell_colours.h"
-#include "base64.h"
+#include "../io/base64.h"
 
 #include <CGAL/Extremal_mesh_3/measures.h>
 #include <CGAL/Extremal_mesh_3/simplify.h>

@@ -7,7 +7,10 @@ import * as THREE from "three";
 
 const width = 1024; // of the texture
 
-/** the mean curvature at each point, from how the normals of triangles' corners diverge. */
+/**
+ * the mean curvature at each point, from how the normals of triangles' corners diverge, where 1 is 2.5 times its mean
+ * over the surface.
+ */
 function meanCurvature({ points, normals, triangles }) {
   const sum = new Float64Array(points.length / 3), weight = new Float64Array(points.length / 3);
   const corner = [0, 1, 2].map(() => new THREE.Vector3());
@@ -32,13 +35,13 @@ function meanCurvature({ points, normals, triangles }) {
       weight[triangles[t + j]] += area;
     }
   }
-  return Float32Array.from(sum, (s, i) => (weight[i] > 0 ? s / weight[i] : 0));
-}
-
-/** the value that 85 % are below, in absolute value. */
-function usualGreatest(values) {
-  const sorted = Float32Array.from(values, Math.abs).sort();
-  return sorted[Math.floor(0.85 * (sorted.length - 1))] || 1;
+  let bent = 0, area = 0;
+  sum.forEach((s, i) => {
+    bent += Math.abs(s);
+    area += weight[i];
+  });
+  const usual = bent > 0 ? (2.5 * bent) / area : 1;
+  return Float32Array.from(sum, (s, i) => (weight[i] > 0 ? s / weight[i] / usual : 0));
 }
 
 const vertexShader = `
@@ -100,8 +103,7 @@ export function makeSurface({ surface, cells }) {
   geometry.setAttribute("position", new THREE.BufferAttribute(surface.points, 3));
   geometry.setAttribute("normal", new THREE.BufferAttribute(surface.normals, 3, true));
   geometry.setAttribute("cell", new THREE.BufferAttribute(Float32Array.from(surface.cells), 1));
-  const curvature = meanCurvature(surface), most = usualGreatest(curvature);
-  geometry.setAttribute("curvature", new THREE.BufferAttribute(curvature.map((k) => k / most), 1));
+  geometry.setAttribute("curvature", new THREE.BufferAttribute(meanCurvature(surface), 1));
   geometry.setIndex(new THREE.BufferAttribute(surface.triangles, 1));
 
   const count = cells.sign.length;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef EXTREMAL_MESH_3_SRC_VIEW_BASE64_H
-#define EXTREMAL_MESH_3_SRC_VIEW_BASE64_H
+#ifndef EXTREMAL_MESH_3_SRC_IO_BASE64_H
+#define EXTREMAL_MESH_3_SRC_IO_BASE64_H
 
 #include <algorithm>
 #include <array>
@@ -30,8 +30,8 @@ inline std::string base64(std::string_view bytes) {
   return text;
 }
 
-/// encodes numbers, each with its least byte first.
-template <typename Number> std::string base64(const std::vector<Number>& numbers) {
+/// the bytes of numbers, each with its least byte first.
+template <typename Number> std::string little_endian(const std::vector<Number>& numbers) {
   std::string bytes;
   bytes.reserve(numbers.size() * sizeof(Number));
   for (const Number number : numbers) {
@@ -41,9 +41,14 @@ template <typename Number> std::string base64(const std::vector<Number>& numbers
       std::reverse(parts.begin(), parts.end());
     bytes.append(parts.data(), parts.size());
   }
-  return base64(std::string_view(bytes));
+  return bytes;
+}
+
+/// encodes numbers, each with its least byte first.
+template <typename Number> std::string base64(const std::vector<Number>& numbers) {
+  return base64(std::string_view(little_endian(numbers)));
 }
 
 } // namespace CGAL::Extremal_mesh_3
 
-#endif // EXTREMAL_MESH_3_SRC_VIEW_BASE64_H
+#endif // EXTREMAL_MESH_3_SRC_IO_BASE64_H
