@@ -11,7 +11,7 @@ packages=(
   libcgal-dev libeigen3-dev libopenmesh-dev
   # to test
   libgtest-dev python3 python3-networkx
-  python3-vtk9 chromium
+  python3-vtk9 chromium dpkg-dev groff-base
 )
 
 # installs the packages that are missing. Elsewhere than on Debian and its kin, CMake tells what it does not find.

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The command line. CLI11 takes long to compile and is included here and in registration_commands.cpp only.
+// The command line. CLI11 takes long to compile and is included here, in registration_commands.cpp and in describe_program.cpp only.
 #include "commands.h"
+#include "describe_program.h"
 #include "registration_commands.h"
 
 #include <CGAL/Extremal_mesh_3/errors.h>
@@ -243,6 +244,9 @@ int run(int argc, char** argv) {
   tool::View_command_options convert_options;
   add_convert(app, convert_options, command);
   tool::add_registration_commands(app, command);
+  bool print_man_page = false, print_completion = false;
+  app.add_flag("--man-page", print_man_page)->group(""); // for the build; not shown
+  app.add_flag("--bash-completion", print_completion)->group("");
   try {
     app.parse(arguments(argc, argv));
   } catch (const CLI::Success& success) { // help or version
@@ -250,6 +254,11 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return tell(fmt::format("{}; 'extremal_mesh --help' shows how to call it", error.what()), tool::usage);
   }
+  if (print_man_page || print_completion)
+    command = [&] {
+      fmt::print("{}", print_man_page ? tool::man_page(app) : tool::bash_completion(app));
+      return int(tool::success);
+    };
   if (!command)
     return tell("there is no command; give extract, info, check, simplify, query, register, compare, landmarks, match, "
                 "scale-space, view or convert",
