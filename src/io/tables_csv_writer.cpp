@@ -5,7 +5,6 @@
 #include <CGAL/Extremal_mesh_3/interchange.h>
 #include <CGAL/Extremal_mesh_3/measures.h>
 
-
 namespace CGAL::Extremal_mesh_3 {
 
 void write_vertices_csv(const std::string& file, const Extremal_mesh& mesh) {

@@ -6,8 +6,8 @@
 #include "view_data.h"
 
 #include "../differential/vector.h"
-#include "../io/cell_colours.h"
 #include "../io/base64.h"
+#include "../io/cell_colours.h"
 
 #include <CGAL/Extremal_mesh_3/measures.h>
 #include <CGAL/Extremal_mesh_3/simplify.h>
