@@ -12,7 +12,10 @@ set_target_properties(extremal_mesh PROPERTIES INSTALL_RPATH $ORIGIN/${lib_from_
 install(TARGETS Extremal_mesh_3 EXPORT Extremal_mesh_3Targets)
 install(TARGETS extremal_mesh)
 install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.h)
-install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_BINARY_DIR}/src/tool/extremal_mesh.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${PROJECT_BINARY_DIR}/src/tool/extremal_mesh.bash RENAME extremal_mesh
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 get_target_property(type Extremal_mesh_3 TYPE)
 if(type STREQUAL STATIC_LIBRARY)

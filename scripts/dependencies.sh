@@ -11,6 +11,8 @@ packages=(
   libcgal-dev libeigen3-dev libopenmesh-dev
   # to test
   libgtest-dev python3 python3-networkx
+  python3-vtk9 chromium dpkg-dev groff-base
+  pybind11-dev python3-dev python3-numpy python3-pytest
 )
 
 # installs the packages that are missing. Elsewhere than on Debian and its kin, CMake tells what it does not find.

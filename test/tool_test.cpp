@@ -67,6 +67,20 @@ void write_nrrd(const std::string& file) {
 
 } // namespace
 
+TEST_F(Tool, views_a_graph) {
+  ASSERT_EQ(run(ellipsoid + "-o e.graphml --cells e.ply -o at_once.png --size 160x120 --camera 0 1 0").code, 0);
+  const Outcome outcome = run("view e.graphml --surface e.ply -o e.html -o e.png --size 160x120 --camera 0 1 0");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "e.html\ne.png\n");
+  EXPECT_EQ(read_text(folder.file("e.png")), read_text(folder.file("at_once.png")));
+  EXPECT_TRUE(read_text(folder.file("e.html")).starts_with("<!DOCTYPE html>"));
+  EXPECT_TRUE(contains(refusal("view e.graphml", 2), "-o view.html"));
+  EXPECT_TRUE(contains(refusal("view e.graphml -o e.graphml", 2), "an .html or a .png"));
+  EXPECT_TRUE(contains(refusal("view e.graphml -o x.html --up 0 0 1 --view 0 0 2", 2), "two different directions"));
+  EXPECT_TRUE(contains(refusal("view none.graphml -o x.html", 1), "none.graphml"));
+  EXPECT_TRUE(contains(refusal("view e.graphml --surface e.graphml -o x.html", 1), "e.graphml"));
+}
+
 TEST_F(Tool, extracts_the_mesh_of_an_ellipsoid) { // MATHEMATICS 4: V, E, F = 10, 16, 8
   const Outcome outcome = run(ellipsoid + "-o out.graphml -o cells.off -o picture.png --size 200x150 --lines lines.off "
                                           "--cells patches.off --surface surface.off --report report.json");
@@ -287,7 +301,7 @@ TEST_F(Tool, simplify_refuses_what_makes_no_sense) {
   EXPECT_TRUE(contains(refusal(command + "-o a.graphml --level 100000", 2), "there is no level 100000"));
   refusal(command + "-o a.graphml --gap --keep-crest -1", 2);
   refusal(command + "-o a.graphml --gap --threads -1", 2);
-  refusal(command + "-o a.obj --gap", 2);
+  refusal(command + "-o a.stl --gap", 2);
   refusal(command + "--persistence a.pdf", 2);
   refusal(command + "--persistence a.csv --hierarchy a.csv", 2);
   EXPECT_TRUE(contains(refusal(command + "--gap --patches a.ply", 2), "--surface"));

@@ -5,6 +5,7 @@
 #include "Progress_bar.h"
 #include "summary_text.h"
 
+#include <CGAL/Extremal_mesh_3/interchange.h>
 #include <CGAL/Extremal_mesh_3/io.h>
 
 #include <fmt/format.h>
@@ -12,17 +13,18 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <string_view>
+#include <utility>
 
 namespace CGAL::Extremal_mesh_3::tool {
 
 namespace {
 
-std::string lower_case_extension(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  for (char& c : extension)
+std::string lower_case(std::string text) {
+  for (char& c : text)
     if (c >= 'A' && c <= 'Z')
       c = char(c - 'A' + 'a');
-  return extension;
+  return text;
 }
 
 /// one number of "1600x1200".
@@ -38,23 +40,40 @@ int pixels(std::string_view text, std::string_view size) {
 
 } // namespace
 
+Outputs::Kind Outputs::kind_of(const std::string& file) {
+  // longer endings come before those that they end in
+  static constexpr std::pair<std::string_view, Kind> endings[] = {{".graphml", Kind::graphml},
+                                                                  {".off", Kind::cell_polygons},
+                                                                  {".png", Kind::picture},
+                                                                  {".html", Kind::page},
+                                                                  {".obj", Kind::obj},
+                                                                  {".ply", Kind::lines_ply},
+                                                                  {".vtp", Kind::vtp},
+                                                                  {".glb", Kind::gltf},
+                                                                  {".gltf", Kind::gltf},
+                                                                  {".vertices.csv", Kind::vertices_csv},
+                                                                  {".edges.csv", Kind::edges_csv},
+                                                                  {".cells.csv", Kind::cells_csv},
+                                                                  {".mrk.json", Kind::markups},
+                                                                  {".json", Kind::json}};
+  const std::string name = lower_case(std::filesystem::path(file).filename().string());
+  for (const auto& [ending, kind] : endings)
+    if (name.ends_with(ending))
+      return kind;
+  throw Usage_error(fmt::format("the extension of '{}' is not known; give -o a .graphml, .off, .obj, .ply, .vtp, .glb, "
+                                ".gltf, .json, .mrk.json, .vertices.csv, .edges.csv, .cells.csv, .html or .png",
+                                file));
+}
+
 Outputs::Outputs(const Output_options& options) {
   if (options.threads < 0)
     throw Usage_error(fmt::format("the number of threads is {}; give --threads 0 for all cores", options.threads));
   for (const std::string& file : options.outputs) {
-    const std::string extension = lower_case_extension(file);
-    if (extension == ".graphml")
-      add(Kind::graphml, file);
-    else if (extension == ".off")
-      add(Kind::cell_polygons, file);
-    else if (extension == ".png")
-      add(Kind::picture, file);
-    else
-      throw Usage_error(fmt::format("the extension of '{}' is not known; give -o a .graphml, an .off or a .png", file));
+    add(kind_of(file), file);
   }
   add(Kind::lines, options.lines);
   if (!options.cells.empty()) {
-    const std::string extension = lower_case_extension(options.cells);
+    const std::string extension = lower_case(std::filesystem::path(options.cells).extension().string());
     if (extension != ".off" && extension != ".ply")
       throw Usage_error(
           fmt::format("the extension of '{}' is not known; give an .off or a .ply for the cells", options.cells));
@@ -79,6 +98,7 @@ Outputs::Outputs(const Output_options& options) {
     render_.view = options.view;
   if (options.up != Vector{})
     render_.up = options.up;
+  view_ = {render_.view, render_.up, colouring_};
 }
 
 void Outputs::add(Kind kind, const std::string& file) {
@@ -97,8 +117,14 @@ void Outputs::reserve(const std::string& file) {
 
 bool Outputs::need_patches() const {
   return std::any_of(outputs_.begin(), outputs_.end(), [](const Output& output) {
-    return output.kind == Kind::picture || output.kind == Kind::patches_off || output.kind == Kind::patches_ply;
+    return output.kind == Kind::picture || output.kind == Kind::page || output.kind == Kind::vtp ||
+           output.kind == Kind::gltf || output.kind == Kind::patches_off || output.kind == Kind::patches_ply;
   });
+}
+
+bool Outputs::only_pictures() const {
+  return std::all_of(outputs_.begin(), outputs_.end(),
+                     [](const Output& output) { return output.kind == Kind::picture || output.kind == Kind::page; });
 }
 
 void Outputs::write(const Result& result) const {
@@ -117,6 +143,26 @@ void Outputs::write(const Output& output, const Result& result) const {
     return write_off(output.file, extraction.mesh, colouring_);
   case Kind::picture:
     return render_png(output.file, extraction.mesh, extraction.patches, render_);
+  case Kind::page:
+    return write_view(output.file, extraction.mesh, extraction.patches, view_);
+  case Kind::obj:
+    return write_obj(output.file, extraction.mesh);
+  case Kind::lines_ply:
+    return write_lines_ply(output.file, extraction.mesh);
+  case Kind::vtp:
+    return write_vtp(output.file, extraction.mesh, extraction.patches);
+  case Kind::gltf:
+    return write_gltf(output.file, extraction.mesh, extraction.patches);
+  case Kind::vertices_csv:
+    return write_vertices_csv(output.file, extraction.mesh);
+  case Kind::edges_csv:
+    return write_edges_csv(output.file, extraction.mesh);
+  case Kind::cells_csv:
+    return write_cells_csv(output.file, extraction.mesh);
+  case Kind::json:
+    return write_json(output.file, extraction.mesh);
+  case Kind::markups:
+    return write_markups(output.file, extraction.mesh);
   case Kind::lines:
     return write_lines_off(output.file, extraction.mesh);
   case Kind::patches_off:
@@ -130,6 +176,17 @@ void Outputs::write(const Output& output, const Result& result) const {
   case Kind::other:
     break;
   }
+}
+
+Cell_patches read_patches_of(const std::string& file, const Extremal_mesh& mesh, const std::string& graph) {
+  if (file.empty())
+    return {};
+  Cell_patches patches = read_cell_patches(file);
+  for (const std::uint32_t c : patches.cell)
+    if (c >= mesh.number_of_cells())
+      throw Io_error(fmt::format("'{}' is not of the mesh in '{}': it has a cell {}, the mesh has {} cells", file,
+                                 graph, c, mesh.number_of_cells()));
+  return patches;
 }
 
 } // namespace CGAL::Extremal_mesh_3::tool

@@ -7,6 +7,7 @@
 #include "commands.h"
 
 #include <CGAL/Extremal_mesh_3/render.h>
+#include <CGAL/Extremal_mesh_3/view.h>
 
 #include <string>
 #include <vector>
@@ -23,25 +24,56 @@ public:
   /// \throws the same
   void reserve(const std::string& file);
   bool empty() const { return outputs_.empty(); }
+  /// whether all is for looking at: pages and pictures.
+  bool only_pictures() const;
   /// whether the surface is needed: pictures are drawn without it if there is none, its cells cannot be written.
   bool need_patches() const;
   /// \throws Io_error; Cancelled, between two files, if there was a Ctrl-C
   void write(const Result& result) const;
 
 private:
-  enum class Kind { graphml, cell_polygons, picture, lines, patches_off, patches_ply, surface, report, other };
+  enum class Kind {
+    graphml,
+    cell_polygons,
+    picture,
+    page,
+    obj,
+    lines_ply,
+    vtp,
+    gltf,
+    vertices_csv,
+    edges_csv,
+    cells_csv,
+    json,
+    markups,
+    lines,
+    patches_off,
+    patches_ply,
+    surface,
+    report,
+    other
+  };
   struct Output {
     Kind kind;
     std::string file;
   };
 
+  /// what a file is, by its ending.
+  /// \throws Usage_error if that is not known
+  static Kind kind_of(const std::string& file);
   void add(Kind kind, const std::string& file);
   void write(const Output& output, const Result& result) const;
 
   std::vector<Output> outputs_;
   Render_options render_;
+  View_options view_;
   Cell_colouring colouring_ = Cell_colouring::sign;
 };
+
+/// reads the surface that belongs to a graph, as `extract --cells` wrote it; none if there is no file of it.
+/// \param graph  the file of the mesh, for the message
+/// \throws Io_error
+Cell_patches read_patches_of(const std::string& file, const Extremal_mesh& mesh, const std::string& graph);
 
 } // namespace CGAL::Extremal_mesh_3::tool
 

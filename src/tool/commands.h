@@ -61,6 +61,16 @@ struct Simplify_options : Output_options {
 };
 int simplify(const Simplify_options& options);
 
+/// Pages and pictures of a graph.
+struct View_command_options : Output_options {
+  std::string file;
+  std::string converted; ///< one more of `outputs`
+  std::string patches;   ///< the given mesh's cells, as `extract --cells` writes them; empty: lines alone
+};
+int view(const View_command_options& options);
+/// writes the graph as other files.
+int convert(const View_command_options& options);
+
 struct Graph_options {
   std::string file;
   bool json = false;

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The command line. CLI11 takes long to compile and is included here and in registration_commands.cpp only.
+// The command line. CLI11 takes long to compile and is included here, in registration_commands.cpp and in describe_program.cpp only.
 #include "commands.h"
+#include "describe_program.h"
 #include "registration_commands.h"
 
 #include <CGAL/Extremal_mesh_3/errors.h>
@@ -37,20 +38,34 @@ std::vector<std::string> arguments(int argc, char** argv) {
   return result;
 }
 
+/// what -o writes.
+constexpr const char* formats = "the graph (.graphml .json), its cells (.off), its lines (.obj .ply), all with the "
+                                "surface (.vtp .glb .gltf), tables "
+                                "(.vertices.csv .edges.csv .cells.csv), markups of 3D Slicer (.mrk.json), a page to "
+                                "look at (.html), a picture (.png); "
+                                "repeatable";
+
+/// how pages and pictures look.
+void add_look(CLI::App& command, tool::Output_options& options) {
+  const auto option = [&](const std::string& name, auto& value, const std::string& type, const std::string& text) {
+    return command.add_option(name, value, text)->type_name(type);
+  };
+  option("--colour", options.colour, "sign|cell", "of cells: two tints by the sign of E_g, or one for each (sign)");
+  option("--view,--camera", options.view, "DX DY DZ", "the direction of sight of pages and pictures");
+  option("--up", options.up, "DX DY DZ", "what points upwards in them (0 0 1)");
+  option("--size", options.size, "WIDTHxHEIGHT", "of the picture in pixels (1600x1200)");
+  option("--threads", options.threads, "N", "0: as many as there are cores (0)");
+  command.add_flag("--quiet", options.quiet, "print errors only");
+}
+
 /// the options of all commands that write a mesh.
 void add_outputs(CLI::App& command, tool::Output_options& options) {
   const auto option = [&](const std::string& name, auto& value, const std::string& type, const std::string& text) {
     return command.add_option(name, value, text)->type_name(type);
   };
-  option("-o,--output", options.outputs, "FILE", "the graph (.graphml), its cells (.off), a picture (.png); repeatable")
-      ->allow_extra_args(false);
+  option("-o,--output", options.outputs, "FILE", formats)->allow_extra_args(false);
   option("--lines", options.lines, "FILE", "write the lines as coloured tubes (.off)");
-  option("--colour", options.colour, "sign|cell", "of cells: two tints by the sign of E_g, or one for each (sign)");
-  option("--view", options.view, "DX DY DZ", "the direction of sight of the picture");
-  option("--up", options.up, "DX DY DZ", "what points upwards in the picture (0 0 1)");
-  option("--size", options.size, "WIDTHxHEIGHT", "of the picture in pixels (1600x1200)");
-  option("--threads", options.threads, "N", "0: as many as there are cores (0)");
-  command.add_flag("--quiet", options.quiet, "print errors only");
+  add_look(command, options);
 }
 
 void add_extract(CLI::App& app, tool::Extract_options& options, std::function<int()>& run) {
@@ -131,6 +146,45 @@ void add_graph_command(CLI::App& app, const std::string& name, const std::string
   command->callback([&options, function, &run] { run = [&options, function] { return function(options); }; });
 }
 
+void add_view(CLI::App& app, tool::View_command_options& options, std::function<int()>& run) {
+  CLI::App* command = app.add_subcommand("view", "makes a page that shows an extremal mesh in a browser, or a picture");
+  command->add_option("GRAPH", options.file, "an extremal mesh (.graphml)")->required()->type_name("");
+  command
+      ->add_option("--surface", options.patches,
+                   "the cells of GRAPH as 'extract --cells' wrote them (.ply); without them the lines are shown alone")
+      ->type_name("FILE");
+  const auto option = [&](const std::string& name, auto& value, const std::string& type, const std::string& text) {
+    return command->add_option(name, value, text)->type_name(type);
+  };
+  option("-o,--output", options.outputs, "FILE", "a page that needs no network (.html), a picture (.png); repeatable")
+      ->allow_extra_args(false);
+  add_look(*command, options);
+  command->footer(
+      "Example:\n  extremal_mesh view skull.graphml --surface cells.ply -o skull.html\n"
+      "  extremal_mesh view skull.graphml --surface cells.ply -o skull.png --camera 0.5 1 -0.2 --size 1200x900");
+  command->callback([&] { run = [&] { return tool::view(options); }; });
+}
+
+void add_convert(CLI::App& app, tool::View_command_options& options, std::function<int()>& run) {
+  CLI::App* command = app.add_subcommand("convert", "writes an extremal mesh for other programs");
+  command->add_option("GRAPH", options.file, "an extremal mesh (.graphml)")->required()->type_name("");
+  command->add_option("OUT", options.converted, "the same as -o OUT")->type_name("");
+  command
+      ->add_option("--surface", options.patches,
+                   "the cells of GRAPH as 'extract --cells' wrote them (.ply), for what shows the surface")
+      ->type_name("FILE");
+  add_outputs(*command, options);
+  command->footer(
+      "Example:\n  extremal_mesh convert skull.graphml --surface cells.ply -o skull.vtp -o skull.edges.csv");
+  command->callback([&] {
+    run = [&] {
+      if (!options.converted.empty())
+        options.outputs.insert(options.outputs.begin(), options.converted);
+      return tool::convert(options);
+    };
+  });
+}
+
 void add_query(CLI::App& app, tool::Query_options& options, std::function<int()>& run) {
   CLI::App* command = app.add_subcommand("query", "answers one question about an extremal mesh, as a JSON object");
   command->add_option("GRAPH", options.file, "an extremal mesh (.graphml)")->required()->type_name("");
@@ -187,7 +241,14 @@ int run(int argc, char** argv) {
   add_simplify(app, simplify_options, command);
   tool::Query_options query_options;
   add_query(app, query_options, command);
+  tool::View_command_options view_options;
+  add_view(app, view_options, command);
+  tool::View_command_options convert_options;
+  add_convert(app, convert_options, command);
   tool::add_registration_commands(app, command);
+  bool print_man_page = false, print_completion = false;
+  app.add_flag("--man-page", print_man_page)->group(""); // for the build; not shown
+  app.add_flag("--bash-completion", print_completion)->group("");
   try {
     app.parse(arguments(argc, argv));
   } catch (const CLI::Success& success) { // help or version
@@ -195,9 +256,14 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return tell(fmt::format("{}; 'extremal_mesh --help' shows how to call it", error.what()), tool::usage);
   }
+  if (print_man_page || print_completion)
+    command = [&] {
+      fmt::print("{}", print_man_page ? tool::man_page(app) : tool::bash_completion(app));
+      return int(tool::success);
+    };
   if (!command)
-    return tell("there is no command; give extract, info, check, simplify, query, register, compare, landmarks, match "
-                "or scale-space",
+    return tell("there is no command; give extract, info, check, simplify, query, register, compare, landmarks, match, "
+                "scale-space, view or convert",
                 tool::usage);
   const int code = command();
   if (std::fflush(stdout) != 0)

@@ -83,18 +83,6 @@ std::string step_text(const std::string& name, const Simplification& simplificat
                      options.measure == "life-time" ? "life time" : "persistence", s.persistence);
 }
 
-/// the patches of the given mesh; none if there is no file of them.
-Cell_patches read_patches(const Simplify_options& options, const Extremal_mesh& mesh) {
-  if (options.patches.empty())
-    return {};
-  Cell_patches patches = read_cell_patches(options.patches);
-  for (const std::uint32_t c : patches.cell)
-    if (c >= mesh.number_of_cells())
-      throw Io_error(fmt::format("'{}' is not of the mesh in '{}': it has a cell {}, the mesh has {} cells",
-                                 options.patches, options.file, c, mesh.number_of_cells()));
-  return patches;
-}
-
 } // namespace
 
 int simplify(const Simplify_options& options) {
@@ -103,7 +91,7 @@ int simplify(const Simplify_options& options) {
   outputs.reserve(options.persistence);
   outputs.reserve(options.hierarchy);
   Extremal_mesh mesh = read_graphml(options.file);
-  const Cell_patches patches = read_patches(options, mesh);
+  const Cell_patches patches = read_patches_of(options.patches, mesh, options.file);
   catch_interrupts();
 
   const std::string before = counts(mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_cells());

@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { readData } from "./data.js";
+import { makeLines } from "./lines.js";
+import { describe, makeChoice, makeLegend, makeSlider, showDetails } from "./panel.js";
+import { makePoints } from "./points.js";
+import { Stage } from "./stage.js";
+import { makeSurface } from "./surface.js";
+
+const $ = (id) => document.getElementById(id);
+const data = readData($("data"));
+const surface = data.surface && makeSurface(data);
+const lines = makeLines(data, Boolean(surface));
+const points = makePoints(data);
+const stage = new Stage($("canvas"), data, [surface, lines, points].filter(Boolean));
+
+let selected = null;
+
+function setVisible(key, on) {
+  const type = data.line_types.findIndex((t) => t.name === key), kind = data.vertex_classes.findIndex((k) => k.name === key);
+  if (type >= 0) lines.uniforms.visible.value.setComponent(type, Number(on));
+  else if (kind >= 0) points.uniforms.visible.value[kind] = Number(on);
+  else if (key === "surface" && surface) {
+    surface.object.visible = on;
+    lines.uniforms.fade.value = data.closed && !on;
+  } else throw new RangeError(`there is nothing called ${key}`);
+  showSwitch[key]?.(on);
+  stage.draw();
+}
+
+function isVisible(key) {
+  const type = data.line_types.findIndex((t) => t.name === key), kind = data.vertex_classes.findIndex((k) => k.name === key);
+  if (type >= 0) return lines.uniforms.visible.value.getComponent(type) > 0;
+  if (kind >= 0) return points.uniforms.visible.value[kind] > 0;
+  return Boolean(surface?.object.visible);
+}
+
+function setLeastStrength(least) {
+  lines.uniforms.leastStrength.value = least;
+  showStrength(least);
+  stage.draw();
+}
+
+function setLeastPersistence(least) {
+  points.uniforms.leastPersistence.value = least;
+  showPersistence?.(least);
+  stage.draw();
+}
+
+/** the cells that are lit up with an element: itself, or those around it. */
+function cellsOf({ kind, id }) {
+  if (kind === "cell") return [id];
+  if (kind === "edge") return [...new Set([data.edges.left[id], data.edges.right[id]])];
+  const cells = new Set();
+  data.edges.source.forEach((source, e) => {
+    if (source === id || data.edges.target[e] === id) cells.add(data.edges.left[e]).add(data.edges.right[e]);
+  });
+  return [...cells];
+}
+
+function select(element) {
+  selected = element;
+  lines.uniforms.picked.value = element?.kind === "edge" ? element.id : -1;
+  points.uniforms.picked.value = element?.kind === "vertex" ? element.id : -1;
+  surface?.light(element ? cellsOf(element) : []);
+  showDetails($("details"), data, element);
+  stage.draw();
+}
+
+function setStereo(mode) {
+  stage.setStereo(mode);
+  pressStereo(mode);
+}
+
+function setTint(mode) {
+  if (surface) surface.uniforms.tint.value = ["cells", "curvature", "plain"].indexOf(mode);
+  pressTint?.(mode);
+  stage.draw();
+}
+
+$("source").textContent = data.source.match(/^[^=<>*]*[/\\]([^/\\]+\.[A-Za-z.]+)$/)?.[1] ?? (data.source || "extremal mesh");
+$("source").title = data.source;
+$("counts").textContent =
+  `${data.vertices.class.length.toLocaleString("en")} vertices · ${data.edges.type.length.toLocaleString("en")} edges · ` +
+  `${data.cells.sign.length.toLocaleString("en")} cells` + (data.frame ? ` · ${data.frame}` : "");
+const showSwitch = makeLegend($("legend"), data, setVisible);
+const showStrength = makeSlider($("controls"), "strength", "Strength of lines", [...data.edges.strength], setLeastStrength);
+const showPersistence = data.vertices.persistence &&
+  makeSlider($("controls"), "persistence", "Persistence of vertices", [...data.vertices.persistence], setLeastPersistence);
+const pressTint = surface && makeChoice($("controls"), "Tint", [["cells", "cells"], ["curvature", "curvature"], ["plain", "plain"]], setTint);
+const pressStereo = makeChoice($("controls"), "Stereo pair", [["off", "off"], ["parallel", "parallel"], ["crossed", "crossed"]], setStereo);
+if (data.vertex_classes.some((k) => k.name === "anchor" && k.count > 0)) setVisible("anchor", false);
+$("reset").addEventListener("click", () => stage.reset());
+
+// A click picks; a drag turns.
+let pressed = null;
+const canvas = $("canvas");
+canvas.addEventListener("pointerdown", (event) => (pressed = [event.clientX, event.clientY]));
+canvas.addEventListener("pointerup", (event) => {
+  if (!pressed || Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 4) return;
+  const box = canvas.getBoundingClientRect();
+  select(stage.pick(event.clientX - box.left, event.clientY - box.top));
+});
+window.addEventListener("keydown", (event) => {
+  if (event.key === "Escape") select(null);
+  if (event.key === "r") stage.reset();
+});
+
+/**
+ * What scripts can do with the page, as the tests do. Places are in CSS pixels of the canvas.
+ *   data                                   what the page shows
+ *   isVisible(key), setVisible(key, on)    line types, classes of vertices, "surface"
+ *   setLeastStrength(s), setLeastPersistence(p)
+ *   setTint("cells" | "curvature" | "plain"), setStereo("off" | "parallel" | "crossed")
+ *   pick(x, y)                             {kind, id} or null
+ *   select({kind, id} | null), selected(), describe({kind, id})
+ *   placeOf(point)                         where a point [x, y, z] is seen
+ *   seen()                                 segments and vertices that are not switched off
+ *   render()                               draws now; returns the number of draw calls
+ */
+window.extremalMeshViewer = {
+  data, isVisible, setVisible, setLeastStrength, setLeastPersistence, setTint, setStereo, select,
+  selected: () => selected,
+  describe: (element) => describe(data, element),
+  pick: (x, y) => stage.pick(x, y),
+  placeOf: (point) => stage.project(point.map((x, a) => x - data.center[a])),
+  seen: () => ({ segments: lines.segments(), vertices: points.count() }),
+  render() {
+    stage.render();
+    return stage.renderer.info.render.calls;
+  },
+};

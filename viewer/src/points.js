@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The vertices: sprites of a shape per class, so that they can be told apart without colours.
+import * as THREE from "three";
+
+const vertexShader = `
+  attribute float kind;
+  attribute float vertex;
+  attribute float persistence;
+  uniform float visible[16];
+  uniform vec3 colours[16];
+  uniform float leastPersistence;
+  uniform float picked;
+  uniform float pixel;
+  uniform float scale;
+  uniform bool closed;
+  varying vec3 vColour;
+  varying float vKind;
+  varying float vId;
+  varying float vPicked;
+  void main() {
+    int k = int(kind + 0.5);
+    vec4 p = modelViewMatrix * vec4(position, 1.0);
+    bool isPicked = abs(vertex - picked) < 0.5;
+    vColour = colours[k];
+    vKind = kind;
+    vId = vertex;
+    vPicked = isPicked ? 1.0 : 0.0;
+    bool hidden = (visible[k] < 0.5 || persistence < leastPersistence) && !isPicked;
+    if (hidden || closed && dot(normalMatrix * normal, -p.xyz) < 0.0) {
+      gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+      gl_PointSize = 1.0;
+      return;
+    }
+    gl_Position = projectionMatrix * p;
+    gl_Position.z -= 0.002 * gl_Position.w;
+    gl_PointSize = pixel * scale * (k == 0 || k >= 6 ? 9.0 : 14.0) * (isPicked ? 1.8 : 1.0);
+  }`;
+
+const fragmentShader = `
+  uniform bool picking;
+  varying vec3 vColour;
+  varying float vKind;
+  varying float vId;
+  varying float vPicked;
+  // less than 1 within: a disk, a drop, a triangle, a star with three points, a square
+  float shape(vec2 p, int kind) {
+    float angle = atan(p.x, p.y), r = length(p);
+    const float third = 2.0943951;
+    if (kind == 1) return max(r * 1.15, 0.0) + 0.30 * max(0.0, -p.y) * abs(p.x);
+    float a = mod(angle + third / 2.0, third) - third / 2.0;
+    if (kind == 2) return 1.75 * r * cos(mod(angle, third) - third / 2.0);
+    if (kind == 3) return r / (0.36 + 0.64 * pow(max(0.0, 1.0 - abs(a) / (third / 2.0)), 1.4));
+    if (kind == 5) return 1.25 * max(abs(p.x), abs(p.y));
+    return r * 1.05;
+  }
+  void main() {
+    vec2 p = vec2(2.0, -2.0) * (gl_PointCoord - 0.5);
+    int kind = int(vKind + 0.5);
+    float d = shape(p, kind);
+    if (d > 1.0) discard;
+    if (picking) {
+      int id = int(vId + 0.5);
+      gl_FragColor = vec4(vec3(id & 255, (id >> 8) & 255, id >> 16) / 255.0, 3.0 / 255.0);
+      return;
+    }
+    vec3 colour = d > 0.74 ? (vPicked > 0.5 ? vec3(1.0, 0.80, 0.22) : vec3(1.0)) : vColour;
+    gl_FragColor = vec4(colour, 1.0);
+  }`;
+
+/** makes the vertices. `count` counts those that are not switched off. */
+export function makePoints({ vertices, vertex_classes, closed, center }) {
+  const count = vertices.class.length;
+  const position = new Float32Array(3 * count);
+  vertices.point.forEach((p, v) => position.set(p.map((x, a) => x - center[a]), 3 * v));
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.BufferAttribute(position, 3));
+  geometry.setAttribute("normal", new THREE.BufferAttribute(vertices.normals, 3, true));
+  geometry.setAttribute("kind", new THREE.BufferAttribute(Float32Array.from(vertices.class), 1));
+  geometry.setAttribute("vertex", new THREE.BufferAttribute(Float32Array.from(vertices.class, (_, v) => v), 1));
+  const persistence = Float32Array.from(vertices.class, (_, v) => vertices.persistence?.[v] ?? 3e38);
+  geometry.setAttribute("persistence", new THREE.BufferAttribute(persistence, 1));
+  const classes = Array.from({ length: 16 }, (_, k) => vertex_classes[k]);
+  const material = new THREE.ShaderMaterial({
+    vertexShader, fragmentShader,
+    uniforms: {
+      visible: { value: classes.map(() => 1) },
+      colours: { value: classes.map((c) => new THREE.Vector3(...(c?.colour ?? [0, 0, 0]).map((x) => x / 255))) },
+      leastPersistence: { value: 0 }, picked: { value: -1 }, pixel: { value: 1 }, picking: { value: false },
+      closed: { value: closed }, scale: { value: count > 1500 ? 0.72 : 1 },
+    },
+  });
+  const object = new THREE.Points(geometry, material);
+  object.frustumCulled = false;
+  return {
+    object,
+    uniforms: material.uniforms,
+    count() {
+      const { visible, leastPersistence } = material.uniforms;
+      let seen = 0;
+      for (let v = 0; v < count; ++v) seen += visible.value[vertices.class[v]] > 0 && persistence[v] >= leastPersistence.value;
+      return seen;
+    },
+  };
+}
