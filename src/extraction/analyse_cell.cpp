@@ -230,10 +230,10 @@ Judgement judge_by_model(const Refined_complex& complex, const std::vector<Half_
     j.course = course_of_lines(complex, border, met, model, polygon, most_edge_level);
     content = Content::lines;
   } else if (may_be_extremal_point(met, wP, wQ)) {
-    j.course = lines_around_vertex(complex, border, met, model, polygon, P.place, most_edge_level);
+    j.course = lines_around_vertex(complex, border, met, model, polygon, most_edge_level);
     content = Content::extremal_point;
   } else if (std::abs(wP) == 1 && std::abs(wQ) == 1) {
-    j.course = lines_around_vertex(complex, border, met, model, polygon, Q.place, most_edge_level);
+    j.course = lines_around_vertex(complex, border, met, model, polygon, most_edge_level);
     j.one_umbilic = true;
     content = Content::umbilic;
   }
@@ -378,9 +378,7 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
 
   result.cuts = judged.course.cuts;
   result.joined = judged.course.joined;
-  // Points of a line that winds through a cell are hard to place, and its chord tells little: smaller cells do better.
-  const bool divide_first = judged.course.bent && (judged.content == Content::lines ? may_divide_lines : may_divide);
-  if (judged.content == Content::lines && !divide_first)
+  if (judged.content == Content::lines)
     result.content = Content::lines;
   if (result.content == Content::lines || (!result.cuts.empty() && !judged.one_umbilic))
     return result;
@@ -403,10 +401,10 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
       around.push_back(&complex.samples()[complex.source(h)]);
     return locate_zero_between(complex.surface(), field, around, middle);
   };
-  if (judged.content == Content::extremal_point && !divide_first)
+  if (judged.content == Content::extremal_point)
     if (const auto at = zero_of(Field::P))
       return accept(Content::extremal_point, *at);
-  if (judged.one_umbilic && !divide_first)
+  if (judged.one_umbilic)
     if (const auto at = zero_of(Field::Q))
       // Where branches leave side by side the model cannot tell how often they cross an edge, at whatever size: that the
       // umbilic has just these branches does.

@@ -3,7 +3,6 @@
 #include "course_of_lines.h"
 
 #include "degenerate_vertex.h"
-#include "join_pairs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +60,7 @@ public:
         phase_(border_phase(complex, border)), most_edge_level_(most_edge_level) {}
 
   /// the lines around the one vertex that the cell holds.
-  Line_course around_vertex(Complex vertex) {
+  Line_course around_vertex() {
     Line_course course;
     const std::vector<Critical_point> critical = critical_points();
     const bool border = border_is_certain(course.cuts);
@@ -69,8 +68,6 @@ public:
       course.cuts.clear();
     course.no_closed_line = std::all_of(critical.begin(), critical.end(), [](const auto& c) { return c.saddle; });
     course.certain = border && course.no_closed_line;
-    for (const Border_crossing& c : met_.crossings)
-      course.bent = course.bent || leaves_chord(place_of(c), vertex);
     return course;
   }
 
@@ -86,8 +83,6 @@ public:
       return course;
     }
     course.certain = border && joined && course.no_closed_line;
-    if (course.certain)
-      course.bent = lines_are_bent(course.joined);
     return course;
   }
 
@@ -229,38 +224,6 @@ private:
                                           [&](Complex a, Complex b) { return std::norm(a - z) < std::norm(b - z); });
     const double phase = phase_[std::size_t(nearest - corner_.begin())] + turn(model_(*nearest), model_(z));
     found.push_back({z, phase, model_.slopes(z).hessian() < 0});
-  }
-
-  /// where the border is crossed.
-  Complex place_of(const Border_crossing& c) const {
-    const auto i = std::size_t(std::find(border_.begin(), border_.end(), c.half_edge) - border_.begin());
-    const auto phases = phases_on_edge(i);
-    // Levels were counted from the half-turn of the first phase on.
-    const double level = pi * c.level;
-    for (std::size_t k = 0; k < steps; ++k)
-      if ((phases[k] < level) != (phases[k + 1] < level))
-        return on_edge(i, (double(k) + (level - phases[k]) / (phases[k + 1] - phases[k])) / steps);
-    return on_edge(i, 0.5);
-  }
-
-  /// tells whether the line at one of two places runs at a large angle to the chord between them.
-  bool leaves_chord(Complex at, Complex other) const {
-    constexpr double least_cosine = 0.87; // 30°
-    const auto s = model_.slopes(at);
-    const Complex along = model_.to_plane({-s.y, s.x}), chord = model_.to_plane(other - at);
-    const double cosine = std::abs((std::conj(along) * chord).real());
-    return cosine * cosine < least_cosine * least_cosine * std::norm(along) * std::norm(chord);
-  }
-
-  /// the same of the lines that cross the cell.
-  bool lines_are_bent(int joined) const {
-    std::vector<int> partner;
-    join_pairs(met_, joined, partner);
-    for (std::size_t i = 0; i < partner.size(); ++i)
-      if (partner[i] >= 0 &&
-          leaves_chord(place_of(met_.crossings[i]), place_of(met_.crossings[std::size_t(partner[i])])))
-        return true;
-    return false;
   }
 
   bool is_on_level(const Critical_point& c) const {
@@ -468,8 +431,8 @@ Line_course course_of_lines(const Refined_complex& complex, const std::vector<Ha
 
 Line_course lines_around_vertex(const Refined_complex& complex, const std::vector<Half_edge>& border,
                                 const Border_crossings& met, const Cell_model& model, const Planar_polygon& polygon,
-                                Complex vertex, int most_edge_level) {
-  return Course(complex, border, met, model, polygon, most_edge_level).around_vertex(vertex);
+                                int most_edge_level) {
+  return Course(complex, border, met, model, polygon, most_edge_level).around_vertex();
 }
 
 } // namespace CGAL::Extremal_mesh_3

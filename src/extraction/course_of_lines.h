@@ -15,7 +15,6 @@ namespace CGAL::Extremal_mesh_3 {
 struct Line_course {
   bool certain = false;
   bool no_closed_line = false;
-  bool bent = false;          ///< a line leaves its chord across the cell at a large angle
   std::int8_t joined = 0;     ///< as in `Refined_cell`; if not certain, the likelier one
   std::vector<Edge_cut> cuts; ///< edges that two lines seem to cross where none was seen
 };
@@ -31,10 +30,9 @@ Line_course course_of_lines(const Refined_complex& complex, const std::vector<Ha
 
 /// tells whether each edge of a cell with one vertex is crossed as often as it seems, and no line closes inside. The
 /// branches of the vertex have then one way to go.
-/// \param vertex  in the plane of the model
 Line_course lines_around_vertex(const Refined_complex& complex, const std::vector<Half_edge>& border,
                                 const Border_crossings& met, const Cell_model& model, const Planar_polygon& polygon,
-                                Complex vertex, int most_edge_level);
+                                int most_edge_level);
 
 } // namespace CGAL::Extremal_mesh_3
 

@@ -7,6 +7,7 @@
 
 #include "../differential/vector.h"
 #include "place_on_line.h"
+#include "walk_along_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,11 +127,14 @@ public:
         tolerance_(tolerance > 0 || !segment.may_bend || !is_bent(segment) ? tolerance : part_of_length * length_) {}
 
   Segment_points refine() {
+    if (segment_.may_bend && segment_.certain)
+      if (const auto points = walk_along_line(surface_, segment_); !points.empty())
+        return refine_pieces(points);
     if (segment_.may_bend)
       if (const auto placed = place(segment_.ends[0].at, segment_.ends[1].at, 0.5,
                                     expected_bend(segment_.ends[0].at, segment_.ends[1].at));
           placed && std::abs(placed->offset) > strong_bend * length_)
-        return refine_halves(line_place(surface_, placed->sample, segment_.family, 1e-3 * length_));
+        return refine_pieces({line_place(surface_, placed->sample, segment_.family, 1e-3 * length_)});
     if (!find_type_changes()) {
       result_.straight = true;
       return std::move(result_);
@@ -147,7 +151,7 @@ public:
 private:
   std::optional<Placed_on_line> place(const Line_place& a, const Line_place& b, double t, double guess) const;
   std::optional<Station> station(double t) const;
-  Segment_points refine_halves(const Line_place& middle) const;
+  Segment_points refine_pieces(const std::vector<Line_place>& points) const;
   bool find_type_changes();
   bool find_zero(Station low, Station high, Type_change_kind kind);
   std::optional<Station> search_dip(const Station& low, const Station& high, double t, Type_change_kind kind) const;
@@ -197,20 +201,32 @@ std::optional<Station> Segment_refiner::station(double t) const {
   return result;
 }
 
-Segment_points Segment_refiner::refine_halves(const Line_place& middle) const {
-  Segment first = segment_, second = segment_;
-  first.ends[1] = second.ends[0] = {};
-  first.ends[1].at = second.ends[0].at = middle;
-  first.ends[1].behind = segment_.ends[1].at;
-  second.ends[0].behind = segment_.ends[0].at;
-  Segment_points points = refine_segment(surface_, first, tolerance_);
-  const Segment_points others = refine_segment(surface_, second, tolerance_);
-  points.straight = points.straight || others.straight;
-  if (tolerance_ > 0 || !points.points.empty() || !others.points.empty()) {
-    static_cast<Line_place&>(points.points.emplace_back()) = middle;
-    points.points.insert(points.points.end(), others.points.begin(), others.points.end());
+/// refines the pieces between points of the line, each for itself.
+Segment_points Segment_refiner::refine_pieces(const std::vector<Line_place>& points) const {
+  Segment_points result;
+  bool keep = tolerance_ > 0;
+  for (std::size_t i = 0; i <= points.size(); ++i) {
+    Segment piece = segment_;
+    if (i > 0) {
+      piece.ends[0] = {};
+      piece.ends[0].at = points[i - 1];
+      piece.ends[0].behind = i > 1 ? points[i - 2] : segment_.ends[0].at;
+    }
+    if (i < points.size()) {
+      piece.ends[1] = {};
+      piece.ends[1].at = points[i];
+      piece.ends[1].behind = i + 1 < points.size() ? points[i + 1] : segment_.ends[1].at;
+    }
+    const Segment_points found = refine_segment(surface_, piece, tolerance_);
+    result.straight = result.straight || found.straight;
+    keep = keep || !found.points.empty();
+    result.points.insert(result.points.end(), found.points.begin(), found.points.end());
+    if (i < points.size())
+      static_cast<Line_place&>(result.points.emplace_back()) = points[i];
   }
-  return points;
+  if (!keep)
+    result.points.clear();
+  return result;
 }
 
 /// fills `stations_` with the ends, the type changes, and what separates these.
