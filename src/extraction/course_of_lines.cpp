@@ -14,6 +14,8 @@ namespace CGAL::Extremal_mesh_3 {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+/// A critical point that is farther from where Newton's method starts than this is another start's.
+constexpr double farthest_first_step = 1.5;
 /// The error of the phase may change by this times itself over the cell.
 constexpr double slope_of_error = 4;
 
@@ -115,10 +117,21 @@ private:
     return result;
   }
 
+  /// tells whether the phase is too flat for a level to be met on an edge that ends on one side of it.
+  bool keeps_between_levels(std::size_t i) const {
+    const double a = phase_[i], b = phase_[i + 1];
+    const double length = std::sqrt(std::norm(corner_[(i + 1) % corner_.size()] - corner_[i]));
+    const double beyond = (greatest_slope_ * length - std::abs(b - a)) / 2 + greatest_error_;
+    const double least = std::min(a, b) - beyond, greatest = std::max(a, b) + beyond;
+    return beyond < pi && levels_between(least, greatest) == 0;
+  }
+
   /// tells whether each edge is crossed as often as it seems; asks for a cut where one is crossed twice more.
   bool border_is_certain(std::vector<Edge_cut>& cuts) const {
     bool certain = true;
     for (std::size_t i = 0; i < border_.size(); ++i) {
+      if (keeps_between_levels(i))
+        continue;
       const auto phases = phases_on_edge(i);
       const double end = phase_[i + 1];
       const int seen = levels_between(phases.front(), end);
@@ -205,6 +218,10 @@ private:
     };
     const double change = 2 * change_of_logarithm(v.P, r) + change_of_logarithm(v.Q, r);
     const double rise = std::sqrt(std::norm(2.0 * slope(v.P) + slope(v.Q)));
+    if (depth == 0) {
+      greatest_slope_ = rise + change;
+      greatest_error_ = slope_of_error * (2 * relative_error(v.P) + relative_error(v.Q));
+    }
     if (rise > change) {
       regular_ = regular_ && rise > change + slope_of_error * (2 * relative_error(v.P) + relative_error(v.Q));
       return;
@@ -283,7 +300,7 @@ private:
       const double det = s.hessian();
       Complex step((s.y * s.xy - s.x * s.yy) / det, (s.x * s.xy - s.y * s.xx) / det);
       const double length = std::sqrt(std::norm(step));
-      if (!(length < 1e3))
+      if (!(length < (k == 0 ? farthest_first_step : 1e3)))
         return false;
       z += length > 0.5 ? 0.5 / length * step : step;
       if (std::norm(z) > 1.5 * 1.5)
@@ -418,6 +435,7 @@ private:
   const std::vector<Complex>& corner_; ///< of the border, in the coordinates of the model
   std::vector<double> phase_;          ///< lifted, of the corners, and once more of the first one
   int most_edge_level_;
+  double greatest_slope_ = std::numeric_limits<double>::infinity(), greatest_error_ = 0; ///< of the phase, in the cell
   bool regular_ = true; ///< the phase has no critical point, even if the model is wrong by its error
 };
 
