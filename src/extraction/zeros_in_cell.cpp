@@ -80,7 +80,10 @@ private:
         note(*zero);
       return;
     }
-    if (depth == deepest) {
+    // What the error leaves open at this very place smaller squares leave open, too.
+    const bool never = std::abs(here.re.f) < wrong.re && std::abs(here.im.f) < wrong.im &&
+                       slope_of_error * moved_by_error > one_to_one && cell_.contains(z);
+    if (never || depth == deepest) {
       result_.certain = false;
       return;
     }
