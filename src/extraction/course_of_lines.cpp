@@ -41,6 +41,9 @@ template <class Function> double place_of_maximum(const Function& f, double low,
   return (low + high) / 2;
 }
 
+/// A saddle is on this side of the border if it is farther from it than this: models are a little off, and sides not quite
+/// straight.
+constexpr double least_distance_of_saddle = 0.02;
 /// A saddle nearer than this to a level is on it up to rounding: which way lines pass there is not to be known.
 constexpr double least_height_of_saddle = 1e-8;
 /// The same elsewhere. Beside a saddle on its level heights are far less than one would expect from the distance.
@@ -247,6 +250,10 @@ private:
     return distance_to_level(c.phase) <= least_height_of_saddle + model_.phase_error(c.z);
   }
 
+  bool is_inside(Complex z) const {
+    return polygon_.contains(z) && polygon_.distance_to_border(z) > least_distance_of_saddle;
+  }
+
   bool is_well_inside(Complex z) const {
     for (std::size_t i = 0; i < corner_.size(); ++i) {
       const Complex a = corner_[i] - z, b = corner_[(i + 1) % corner_.size()] - z;
@@ -400,7 +407,8 @@ private:
       if (c.size() != 4 || one)
         return false;
       one = true;
-      if (!critical.empty()) {
+      // Beyond the border lines may come back to the edge from either side of a saddle.
+      if (!critical.empty() && (critical.size() > 1 || is_inside(critical.front().z))) {
         const Critical_point& saddle = critical.front();
         joined = std::int8_t((saddle.phase > pi * level) == (level % 2 == 0) ? 1 : -1);
         if (critical.size() > 1 || !saddle.saddle || std::abs(saddle.phase - pi * level) > pi / 2)
