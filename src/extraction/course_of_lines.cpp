@@ -41,9 +41,6 @@ template <class Function> double place_of_maximum(const Function& f, double low,
   return (low + high) / 2;
 }
 
-/// A saddle is on this side of the border if it is farther from it than this: models are a little off, and sides not quite
-/// straight.
-constexpr double least_distance_of_saddle = 0.02;
 /// A saddle nearer than this to a level is on it up to rounding: which way lines pass there is not to be known.
 constexpr double least_height_of_saddle = 1e-8;
 /// The same elsewhere. Beside a saddle on its level heights are far less than one would expect from the distance.
@@ -79,7 +76,7 @@ public:
   Line_course find() {
     Line_course course;
     const std::vector<Critical_point> critical = critical_points();
-    const bool joined = join(critical, course.joined);
+    const bool joined = join(course.joined);
     course.no_closed_line = has_no_closed_line(critical);
     std::vector<Edge_cut> cuts;
     const bool border = border_is_certain(cuts);
@@ -250,10 +247,6 @@ private:
     return distance_to_level(c.phase) <= least_height_of_saddle + model_.phase_error(c.z);
   }
 
-  bool is_inside(Complex z) const {
-    return polygon_.contains(z) && polygon_.distance_to_border(z) > least_distance_of_saddle;
-  }
-
   bool is_well_inside(Complex z) const {
     for (std::size_t i = 0; i < corner_.size(); ++i) {
       const Complex a = corner_[i] - z, b = corner_[(i + 1) % corner_.size()] - z;
@@ -390,8 +383,8 @@ private:
 
   /// tells whether crossings can be joined in one way only; where four of one level can in two, finds which.
   ///
-  /// With one saddle and no extremum inside, the sides that are connected are those on which the saddle lies.
-  bool join(const std::vector<Critical_point>& critical, std::int8_t& joined) const {
+  /// A saddle inside does not tell: it may be one of other lines, or none may be needed, as where a line pokes over an edge.
+  bool join(std::int8_t& joined) const {
     std::map<std::int32_t, std::vector<std::size_t>> of_level;
     for (std::size_t i = 0; i < met_.crossings.size(); ++i) {
       // Walking around, the level shifts by twice the winding, which is 0 here.
@@ -407,14 +400,6 @@ private:
       if (c.size() != 4 || one)
         return false;
       one = true;
-      // Beyond the border lines may come back to the edge from either side of a saddle.
-      if (!critical.empty() && (critical.size() > 1 || is_inside(critical.front().z))) {
-        const Critical_point& saddle = critical.front();
-        joined = std::int8_t((saddle.phase > pi * level) == (level % 2 == 0) ? 1 : -1);
-        if (critical.size() > 1 || !saddle.saddle || std::abs(saddle.phase - pi * level) > pi / 2)
-          return false;
-        continue;
-      }
       const double sign = level % 2 == 0 ? 1 : -1;
       const auto above = [&, s = sign](Complex z) { return std::arg(s * model_(z).phi()); };
       const auto below = [&, s = sign](Complex z) { return -std::arg(s * model_(z).phi()); };
