@@ -431,7 +431,7 @@ private:
       const auto above = [&, s = sign](Complex z) { return std::arg(s * model_(z).phi()); };
       const auto below = [&, s = sign](Complex z) { return -std::arg(s * model_(z).phi()); };
       const std::size_t rise = met_.crossings[c[0]].rising ? 0 : 1; // above between c[rise] and the next
-      const auto at = [&](std::size_t k) { return c[(rise + k) % 4]; };
+      const auto at = [&, &c = c](std::size_t k) { return c[(rise + k) % 4]; };
       const std::array<Interval, 4> sides{best_between(at(0), at(1), above), best_between(at(1), at(2), below),
                                           best_between(at(2), at(3), above), best_between(at(3), at(0), below)};
       const double up = clearance_along(sides[0].best, sides[2].best, above);
