@@ -36,7 +36,7 @@ for target in "${targets[@]}"; do
   while ((SECONDS < end)); do # after a finding it goes on
     code=0
     FUZZ_TARGET=$target ASAN_OPTIONS=allocator_may_return_null=0 "$fuzzer" \
-      -max_total_time=$((end - SECONDS)) -timeout=10 -rss_limit_mb=3000 -malloc_limit_mb=1000 -max_len=65536 -use_value_profile=1 \
+      -max_total_time=$((end - SECONDS)) -timeout=30 -rss_limit_mb=3000 -malloc_limit_mb=1000 -max_len=65536 -use_value_profile=1 \
       -print_final_stats=1 -artifact_prefix="build/fuzz/findings/$target-" "$learned" "test/fuzz/corpus/$target" >"$log" 2>&1 || code=$?
     n=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
     executions=$((executions + ${n:-0}))

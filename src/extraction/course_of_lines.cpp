@@ -49,8 +49,11 @@ double distance_to_level(double phase) {
   return std::abs(phase - pi * std::round(phase / pi));
 }
 
+/// \return many if a phase is not a number
 int levels_between(double a, double b) {
-  return int(std::abs(std::floor(a / pi) - std::floor(b / pi)));
+  constexpr double many = 1e6;
+  const double levels = std::abs(std::floor(a / pi) - std::floor(b / pi));
+  return int(levels < many ? levels : many);
 }
 
 class Course {
