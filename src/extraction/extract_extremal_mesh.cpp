@@ -137,6 +137,22 @@ std::vector<Vector> area_vectors(const Cell_complex& cells) {
   return sums;
 }
 
+/// \throws std::invalid_argument if most of the normals point to the side from which the cells are clockwise
+void require_same_side(const Cell_complex& cells, const Vertex_shapes& shapes) {
+  const std::vector<Vector> area = area_vectors(cells);
+  std::size_t known = 0, behind = 0;
+  for (std::size_t i = 0; i < area.size(); ++i)
+    if (shapes.quality.empty() || shapes.quality[i].known()) {
+      ++known;
+      behind += dot(shapes.shapes[i].n, area[i]) < 0 ? 1U : 0U;
+    }
+  if (2 * behind > known)
+    throw std::invalid_argument(
+        fmt::format("the normals at {} of {} points are on the side from which the cells around "
+                    "them are clockwise; turn the cells or the shapes over",
+                    behind, known));
+}
+
 /// takes away the cells with a corner at which the shape is not known, or was fitted to something else than the cells around; nothing
 /// if there are none.
 std::optional<Shaped_cells> without_unknown(const Cell_complex& cells, const Vertex_shapes& shapes) {
@@ -223,6 +239,7 @@ Extraction extract_extremal_mesh(const Cell_complex& cells, const Vertex_shapes&
   Thread_pool pool(options.threads);
   const Interpolated_surface surface;
   surface.require_valid(cells, shapes);
+  require_same_side(cells, shapes);
   const std::optional<Shaped_cells> known = without_unknown(cells, shapes);
   const Cell_complex* rest = known ? &known->cells : &cells;
   const Vertex_shapes& shapes_of_rest = known ? known->shapes : shapes;

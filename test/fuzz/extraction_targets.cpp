@@ -247,15 +247,25 @@ void extract_from_shapes(Bytes bytes) {
     corners.insert(corners.end(), polygon.begin(), polygon.end());
     begin.push_back(corners.size());
   }
+  // Frames that belong to the cells; or some that do not, of which nothing can be demanded but an end.
+  const bool are_frames_true = flags / 16 % 2 == 0;
+  std::vector<Vector> normals(base.points.size());
+  for (const auto& polygon : base.polygons)
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Point &a = base.points[polygon[i]], &b = base.points[polygon[(i + 1) % polygon.size()]];
+      for (const std::uint32_t corner : polygon)
+        for (std::size_t k = 0; k < 3; ++k)
+          normals[corner][k] += a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+    }
   Vertex_shapes shapes;
-  for (const Point& p : base.points) {
+  for (const Vector& n : normals) {
     Local_shape& s = shapes.shapes.emplace_back();
-    if (flags / 16 % 2 == 0) { // a frame that points outwards
-      const double length = std::hypot(p[0], p[1], p[2]), across = std::hypot(p[0], p[1]);
-      if (length > 0 && across > 0 && std::isfinite(length)) {
-        s.n = {p[0] / length, p[1] / length, p[2] / length};
-        s.u = {-p[1] / across, p[0] / across, 0};
-      }
+    const double length = std::hypot(n[0], n[1], n[2]), across = std::hypot(n[0], n[1]);
+    if (are_frames_true && length > 0 && across > 0 && std::isfinite(length)) {
+      s.n = {n[0] / length, n[1] / length, n[2] / length};
+      s.u = {-n[1] / across, n[0] / across, 0};
+    } else if (are_frames_true && length > 0 && n[2] < 0) {
+      s.n = {0, 0, -1};
     }
     if (numbers.at_end())
       continue;
