@@ -99,7 +99,12 @@ void soak(unsigned seed, const std::string& folder, Counts& counts) {
       high{low[0] + 4, low[1] + 4, low[2] + 4};
   const Extremal_mesh other = extract_extremal_mesh(moved, make_lattice(low, high, 14)).mesh;
   require_checked(other, name + ", moved");
-  require(other.number_of_vertices() == mesh.number_of_vertices(), name + ": moved, it has other vertices");
+  // The box round the moved surface holds other parts of space, where some functions have other sheets.
+  const Surface_info &a = mesh.surface(), &b = other.surface();
+  if (a.closed && b.closed && a.components == 1 && b.components == 1)
+    require(other.number_of_vertices() == mesh.number_of_vertices(),
+            fmt::format("{}: moved, it has {} vertices, not {}", name, other.number_of_vertices(),
+                        mesh.number_of_vertices()));
   const Registration registration = register_extremal_meshes(mesh, other);
   ++(registration.found ? counts.found : counts.not_found);
 
