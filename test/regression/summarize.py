@@ -5,7 +5,7 @@
 usage: summarize.py PROGRAM FOLDER SUMMARY [--renew] [--only NAME]
 
 A line tells a file, a setting, the counts of vertices by kind, edges, cells, uncertain cells, and which checks fail, or the error.
-With --renew the summary is written anew: a commit that does so tells why.
+With --renew the summary, or with --only the lines of some files, are written anew: a commit that does so tells why.
 """
 import argparse
 import json
@@ -66,19 +66,14 @@ for file in files:
     for setting in settings(file.name):
         lines.append(line(file, setting))
         print(lines[-1], flush=True)
+known = options.summary.read_text().splitlines() if options.summary.exists() else []
+expected = [l for l in known if options.only in l.split(" ")[0].rstrip(":")]
 if options.renew:
-    options.summary.write_text("\n".join(lines) + "\n")
+    options.summary.write_text("\n".join(sorted(set(known) - set(expected) | set(lines))) + "\n")
     sys.exit(0)
-expected = [l for l in options.summary.read_text().splitlines() if options.only in l.split(":")[0]]
-if lines == expected:
+changed = [f"- {l}" for l in expected if l not in lines] + [f"+ {l}" for l in lines if l not in expected]
+if not changed:
     print(f"{len(lines)} results as before")
     sys.exit(0)
-print("\nwhat changed:")
-for old in expected:
-    if old not in lines:
-        print("-", old)
-for new in lines:
-    if new not in expected:
-        print("+", new)
-print("If that is meant, renew the summary (--renew), and tell why in the commit.")
+print("\nwhat changed:", *changed, "If that is meant, renew the summary (--renew), and tell why in the commit.", sep="\n")
 sys.exit(1)
