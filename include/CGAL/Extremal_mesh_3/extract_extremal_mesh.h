@@ -108,8 +108,7 @@ Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, co
                                  Surface_report* report = nullptr);
 
 /// extracts the extremal mesh of the surface `f = 0` from cells that lie on it.
-/// \throws Degenerate_surface_error if `E_g = 0` (up to rounding) over most of the surface
-///         Extraction_error if the derivatives are not finite somewhere, or the surface is not from 1e-35 to 1e35 long
+/// \throws Degenerate_surface_error if `E_g = 0` (up to rounding) over most of the surface; Extraction_error if it is not 1e-35 to 1e35 long
 Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells, const Extraction_options& options = {});
 
 /// extracts the extremal mesh of a surface that is known at the points of its cells only. Between them L and C are
