@@ -50,8 +50,11 @@ double distance_to_level(double phase) {
   return std::abs(phase - pi * std::round(phase / pi));
 }
 
+/// \return many if a phase is not a number
 int levels_between(double a, double b) {
-  return int(std::abs(std::floor(a / pi) - std::floor(b / pi)));
+  constexpr double many = 1e6;
+  const double levels = std::abs(std::floor(a / pi) - std::floor(b / pi));
+  return int(levels < many ? levels : many);
 }
 
 class Course {
@@ -404,7 +407,7 @@ private:
       const auto above = [&, s = sign](Complex z) { return std::arg(s * model_(z).phi()); };
       const auto below = [&, s = sign](Complex z) { return -std::arg(s * model_(z).phi()); };
       const std::size_t rise = met_.crossings[c[0]].rising ? 0 : 1; // above between c[rise] and the next
-      const auto at = [&](std::size_t k) { return c[(rise + k) % 4]; };
+      const auto at = [&, &c = c](std::size_t k) { return c[(rise + k) % 4]; };
       const std::array<Interval, 4> sides{best_between(at(0), at(1), above), best_between(at(1), at(2), below),
                                           best_between(at(2), at(3), above), best_between(at(3), at(0), below)};
       const double up = clearance_along(sides[0].best, sides[2].best, above);

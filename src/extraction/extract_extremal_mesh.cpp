@@ -5,6 +5,7 @@
 #include "../cells/Union_find.h"
 #include "../cells/parallel.h"
 #include "../cells/remove_cells.h"
+#include "../cells/usual_size.h"
 #include "../differential/vector.h"
 #include "Arrangement.h"
 #include "Implicit_surface.h"
@@ -137,6 +138,25 @@ std::vector<Vector> area_vectors(const Cell_complex& cells) {
   return sums;
 }
 
+/// Φ is of degree −7 in lengths; features may be smaller than the surface.
+constexpr double largest_size = 1e35;
+
+/// \throws std::invalid_argument if most of the normals point to the side from which the cells are clockwise
+void require_same_side(const Cell_complex& cells, const Vertex_shapes& shapes) {
+  const std::vector<Vector> area = area_vectors(cells);
+  std::size_t known = 0, behind = 0;
+  for (std::size_t i = 0; i < area.size(); ++i)
+    if (shapes.quality.empty() || shapes.quality[i].known()) {
+      ++known;
+      behind += dot(shapes.shapes[i].n, area[i]) < 0 ? 1U : 0U;
+    }
+  if (2 * behind > known)
+    throw std::invalid_argument(
+        fmt::format("the normals at {} of {} points are on the side from which the cells around "
+                    "them are clockwise; turn the cells or the shapes over",
+                    behind, known));
+}
+
 /// takes away the cells with a corner at which the shape is not known, or was fitted to something else than the cells around; nothing
 /// if there are none.
 std::optional<Shaped_cells> without_unknown(const Cell_complex& cells, const Vertex_shapes& shapes) {
@@ -207,6 +227,7 @@ Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells,
   require_valid(options);
   if (cells.number_of_cells() == 0)
     throw Extraction_error("the surface has no cells");
+  require_usual_size(cells, largest_size);
   Thread_pool pool(options.threads);
   const Implicit_surface surface(f);
   std::vector<Sample> samples = sample_corners(surface, cells, pool);
@@ -220,9 +241,11 @@ Extraction extract_extremal_mesh(const Cell_complex& cells, const Vertex_shapes&
   require_valid(options);
   if (cells.number_of_cells() == 0)
     throw Extraction_error("the surface has no cells");
+  require_usual_size(cells, largest_size);
   Thread_pool pool(options.threads);
   const Interpolated_surface surface;
   surface.require_valid(cells, shapes);
+  require_same_side(cells, shapes);
   const std::optional<Shaped_cells> known = without_unknown(cells, shapes);
   const Cell_complex* rest = known ? &known->cells : &cells;
   const Vertex_shapes& shapes_of_rest = known ? known->shapes : shapes;

@@ -12,11 +12,16 @@ namespace CGAL::Extremal_mesh_3 {
 
 /// calls f at places between low and high until one is, within the tolerance, where f changes its sign (Alefeld, Potra
 /// and Shi, TOMS 748). The last call is the one nearest to the root, or as near to it.
-/// \pre low < high, and f_low, f_high are the values there, of different signs
+/// \pre low < high, and f_low, f_high are the values there, of different signs. If one is not a number, the middle is taken
 template <class Function>
 void find_root(const Function& f, double low, double high, double f_low, double f_high, double tolerance) {
   if (f_low == 0 || f_high == 0) {
     f(f_low == 0 ? low : high);
+    return;
+  }
+  if (!(low < high) ||
+      !(f_low < 0 ? f_high > 0 : f_low > 0 && f_high < 0)) { // nothing to search by: one is not a number
+    f(low + (high - low) / 2);
     return;
   }
   namespace policies = boost::math::policies;

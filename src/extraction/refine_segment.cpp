@@ -427,7 +427,7 @@ Line_place line_place(const Surface& surface, Sample s, int family, double step)
 }
 
 bool may_have_points(const Segment& segment, double tolerance) {
-  const auto& [a, b] = segment.ends;
+  const auto &a = segment.ends[0], &b = segment.ends[1];
   if (tolerance > 0 || (segment.may_bend && (a.umbilic || b.umbilic || is_bent(segment))))
     return true;
   return std::any_of(kinds.begin(), kinds.end(), [&](Type_change_kind kind) {

@@ -4,6 +4,7 @@
 
 #include <CGAL/Extremal_mesh_3/errors.h>
 
+#include "../cells/usual_size.h"
 #include "../differential/vector.h"
 #include "change_with_radius.h"
 #include "fit_jets.h"
@@ -18,6 +19,9 @@
 namespace CGAL::Extremal_mesh_3 {
 
 namespace {
+
+/// Moments are sums of 8th powers of lengths, of which products are taken.
+constexpr double largest_size = 1e18;
 
 void require_valid(const Cell_complex& cells, const Fit_options& options) {
   if (!(options.radius >= 0) || !std::isfinite(options.radius))
@@ -75,6 +79,7 @@ Fit_report report_on(const Jets& jets, const std::vector<double>& sampling) {
 
 Fit fit_vertex_shapes(const Cell_complex& cells, const Fit_options& options) {
   require_valid(cells, options);
+  require_usual_size(cells, largest_size);
   Thread_pool pool(options.threads);
   const auto progress = [&](double part) {
     if (options.progress && !options.progress(part))

@@ -77,13 +77,17 @@ std::size_t Byte_reader::read(char* out, std::size_t n) {
   return done;
 }
 
-bool Byte_reader::is_whole() {
+Byte_reader::Rest Byte_reader::rest(std::uint64_t most) {
   if (!inflater_)
-    return true;
-  std::vector<char> rest(1 << 16);
-  while (read(rest.data(), rest.size()) > 0) {
+    return Rest::whole;
+  std::vector<char> bytes(1 << 16);
+  std::uint64_t done = 0;
+  while (const std::size_t n = read(bytes.data(), bytes.size())) {
+    done += n;
+    if (done > most)
+      return Rest::long_one;
   }
-  return inflater_->at_end;
+  return inflater_->at_end ? Rest::whole : Rest::truncated;
 }
 
 } // namespace CGAL::Extremal_mesh_3

@@ -27,9 +27,10 @@ public:
   /// \throws std::runtime_error if the compressed data are damaged
   std::size_t read(char* out, std::size_t n);
 
+  enum class Rest { whole, truncated, long_one };
   /// reads the rest, which shows whether compressed data are whole: they end with a checksum.
-  /// \return whether they are
-  bool is_whole();
+  /// \param most  the rest is not read on after so many bytes: it is a long one then
+  Rest rest(std::uint64_t most);
 
 private:
   struct Inflater;

@@ -92,6 +92,11 @@ void check_sigma(double sigma, const Vector& spacing, const std::array<std::size
     side = std::max(side, spacing[a] * static_cast<double>(size[a]));
   if (sigma > side)
     throw std::invalid_argument(fmt::format("sigma is {} mm, larger than the image ({:.6g} mm)", sigma, side));
+  const double least = std::min({spacing[0], spacing[1], spacing[2]});
+  constexpr double most_voxels = 10000; // the Gaussian is stored, with several values a voxel
+  if (!(sigma <= most_voxels * least))
+    throw std::invalid_argument(fmt::format("sigma is {} mm, more than {} times the {} mm of a voxel's shortest side",
+                                            sigma, most_voxels, least));
 }
 
 void check_iso(double iso, const std::vector<float>& voxels) {

@@ -209,7 +209,15 @@ std::vector<float> read_voxels(itk::ImageIOBase& io, std::size_t n) {
   return voxels;
 }
 
-Image read(const std::string& file) {
+/// \throws std::runtime_error if so many bytes are more than allowed
+void require_memory(double bytes, std::uint64_t limit) {
+  constexpr double mega = 0x1p20;
+  if (bytes > double(limit))
+    throw std::runtime_error(fmt::format("to read it takes {:.0f} MB of memory, more than the {:.0f} MB that it may take",
+                                         bytes / mega, double(limit) / mega));
+}
+
+Image read(const std::string& file, const Image_reading_options& options) {
   check_file(file);
   const Format& format = format_of(file);
   const Stored_voxels stored = format.find_voxels(file);
@@ -225,8 +233,14 @@ Image read(const std::string& file) {
     Image image;
     image.lattice = lattice_of(*io, format.find_voxels == find_nifti_voxels);
     const std::uint64_t n = number_of_voxels(image.lattice);
+    const bool are_floats = io->GetComponentType() == Component::FLOAT; // others are read as they are first
+    require_memory(double(n) * double(sizeof(float) + (are_floats ? 0 : io->GetComponentSize())), options.memory_limit);
+    const std::uintmax_t size = std::filesystem::file_size(stored.file);
     require_complete(stored, n, io->GetComponentSize());
     image.voxels = read_voxels(*io, n);
+    // ITK's readers would not tell if the data had come to an end before theirs.
+    if (std::filesystem::file_size(stored.file) < size)
+      throw std::runtime_error("it became shorter while it was read");
     return image;
   } catch (const itk::ExceptionObject&) { // its text has several lines, and names of functions
     throw std::runtime_error(fmt::format("it is damaged, or is not in the format {}", format.name));
@@ -235,9 +249,9 @@ Image read(const std::string& file) {
 
 } // namespace
 
-Image read_image(const std::string& file) {
+Image read_image(const std::string& file, const Image_reading_options& options) {
   try {
-    return read(file);
+    return read(file, options);
   } catch (const std::bad_alloc&) {
     throw Io_error(fmt::format("cannot read '{}': it is larger than memory", file));
   } catch (const std::exception& error) {

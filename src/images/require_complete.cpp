@@ -17,6 +17,9 @@ namespace CGAL::Extremal_mesh_3 {
 namespace {
 
 constexpr std::size_t chunk = 1 << 20;
+constexpr std::uint64_t most_after_voxels = 1 << 24;
+/// of what deflate stores: 258 bytes take at least two bits.
+constexpr std::uint64_t best_compression = 1032;
 
 [[noreturn]] void throw_truncated(std::uint64_t expected, std::uint64_t found, const char* what) {
   throw std::runtime_error(fmt::format("it is truncated: expected {} {}, found {}", expected, what, found));
@@ -58,8 +61,15 @@ void read_through(const Stored_voxels& stored, std::uint64_t bytes, std::uint64_
       check_finite<double>(buffer, n, stored.are_swapped, done / bytes_per_voxel);
     done += n;
   }
-  if (!reader.is_whole())
+  // What follows the voxels is read for the checksum at the end only: a bomb is not worth it.
+  switch (reader.rest(std::max<std::uint64_t>(bytes, most_after_voxels))) {
+  case Byte_reader::Rest::whole:
+    return;
+  case Byte_reader::Rest::truncated:
     throw std::runtime_error("it is truncated: its compressed data have no end");
+  case Byte_reader::Rest::long_one:
+    throw std::runtime_error(fmt::format("its compressed data go on long after the {} bytes of its voxels", bytes));
+  }
 }
 
 void read_through_text(const Stored_voxels& stored, std::uint64_t voxels) {
@@ -82,15 +92,16 @@ void require_complete(const Stored_voxels& stored, std::uint64_t voxels, std::ui
   if (stored.bytes_per_voxel != 0)
     bytes_per_voxel = stored.bytes_per_voxel;
   const std::uint64_t bytes = voxels * bytes_per_voxel;
+  std::error_code error;
+  const std::uint64_t size = std::filesystem::file_size(stored.file, error);
+  if (error)
+    throw std::runtime_error(fmt::format("'{}' cannot be read ({})", stored.file, error.message()));
   if (stored.encoding == Stored_voxels::Encoding::raw) {
-    std::error_code error;
-    const std::uint64_t size = std::filesystem::file_size(stored.file, error);
-    if (error)
-      throw std::runtime_error(fmt::format("'{}' cannot be read ({})", stored.file, error.message()));
     const std::uint64_t found = size - std::min(size, stored.offset + stored.skipped);
     if (found < bytes)
       throw_truncated(bytes, found, "bytes of voxels");
-  }
+  } else if (bytes / best_compression > size)
+    throw_truncated(bytes, size, "bytes of voxels, compressed");
   if (stored.encoding == Stored_voxels::Encoding::compressed || stored.are_floats)
     read_through(stored, bytes, bytes_per_voxel);
 }

@@ -28,6 +28,7 @@ using Encoding = Stored_voxels::Encoding;
 
 // Longer lines are not in a header: the file is not what its name says.
 constexpr std::size_t longest_line = 1 << 16;
+constexpr std::size_t longest_key = 80, longest_value = 1000; // of MetaImage
 
 std::string lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -135,7 +136,13 @@ Stored_voxels find_meta_voxels(const std::string& file) {
         continue;
       break;
     }
-    fields[trimmed(line->substr(0, equals))] = trimmed(line->substr(equals + 1));
+    const std::string key = trimmed(line->substr(0, equals)), value = trimmed(line->substr(equals + 1));
+    // MetaIO copies both to places of fixed sizes.
+    if (key.size() > longest_key || value.size() > longest_value ||
+        std::any_of(line->begin(), line->end(), [](unsigned char c) { return c < ' ' && c != '\t'; }))
+      throw std::runtime_error(
+          fmt::format("its header has a line '{}…', which is too long or no text", key.substr(0, 20)));
+    fields[key] = value;
   }
   for (const char* key : {"NDims", "DimSize", "ElementType", "ElementDataFile"})
     if (!fields.contains(key))
@@ -171,8 +178,10 @@ Stored_voxels find_meta_voxels(const std::string& file) {
     throw std::runtime_error("its voxels are stored as text, which is not supported for MetaImage");
 
   Stored_voxels stored;
-  const bool is_local = lower_case(fields["ElementDataFile"]) == "local";
-  stored.file = is_local ? file : data_file(file, fields["ElementDataFile"]);
+  const std::string& data = fields["ElementDataFile"];
+  const bool is_local =
+      data == "LOCAL" || data == "Local" || data == "local"; // MetaIO takes other spellings for a file
+  stored.file = is_local ? file : data_file(file, data);
   stored.offset = is_local ? position(in) : 0;
   stored.encoding = is_true("CompressedData") ? Encoding::compressed : Encoding::raw;
   if (const double skipped = parse_number(fields["HeaderSize"]).value_or(0); skipped > 0) // −1: they end the file

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// POSIX: a rename within a folder replaces the file there in one step, and only `close()` tells of some full disks.
+// POSIX: a rename within a folder replaces the file there in one step, and only `close()` tells of some full disks. Where the
+// file system can (Linux's O_TMPFILE), the file has no name until it is whole, so that nothing is left of it however the program ends.
 #include "Atomic_file.h"
 
 #include <CGAL/Extremal_mesh_3/io.h>
@@ -29,6 +30,14 @@ fs::path temporary_name(const fs::path& folder) {
   return folder / fmt::format(".extremal_mesh-{}-{}.part", ::getpid(), counter++);
 }
 
+/// opens a file without a name.
+/// \return negative if that cannot be, or the file could not be named later
+int open_unnamed(const fs::path& folder) {
+  if (::access("/proc/self/fd", X_OK) != 0)
+    return -1;
+  return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+}
+
 } // namespace
 
 Atomic_file::Atomic_file(const std::string& file) : file_(file) {
@@ -54,6 +63,10 @@ Atomic_file::Atomic_file(const std::string& file) : file_(file) {
       fail(errno);
   }
   place_ = place.string();
+  folder_ = folder.string();
+  descriptor_ = open_unnamed(folder);
+  if (descriptor_ >= 0)
+    return;
   do {
     temporary_ = temporary_name(folder).string();
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -82,7 +95,23 @@ void Atomic_file::write(std::string_view bytes) {
   }
 }
 
+void Atomic_file::give_name() {
+  const std::string open_file = fmt::format("/proc/self/fd/{}", descriptor_);
+  int status = 0;
+  do {
+    temporary_ = temporary_name(folder_).string();
+    status = ::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW);
+  } while (status != 0 && errno == EEXIST);
+  if (status != 0) {
+    const int reason = errno;
+    temporary_.clear();
+    fail(reason);
+  }
+}
+
 void Atomic_file::commit() {
+  if (temporary_.empty())
+    give_name();
   const int closed = ::close(descriptor_);
   descriptor_ = -1;
   if (closed != 0 || std::rename(temporary_.c_str(), place_.c_str()) != 0)

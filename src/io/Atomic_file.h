@@ -8,8 +8,8 @@
 
 namespace CGAL::Extremal_mesh_3 {
 
-/// A file that appears whole or not at all: written beside its place under another name, put in place by `commit()`,
-/// and removed if that is not reached.
+/// A file that appears whole or not at all: written beside its place without a name, or under another one, put in place by
+/// `commit()`, and removed if that is not reached.
 class Atomic_file {
 public:
   /// \throws Io_error if there is something else than a file in that place, or no file can be made there
@@ -24,11 +24,13 @@ public:
   void commit();
 
 private:
+  void give_name(); ///< `temporary_`, to a file that has none
   [[noreturn]] void fail(int error) const;
 
   std::string file_;      ///< as the caller named it
   std::string place_;     ///< where it really is, symbolic links followed
-  std::string temporary_; ///< empty once committed
+  std::string folder_;    ///< in which `place_` is
+  std::string temporary_; ///< empty while there is no such name
   int descriptor_ = -1;
 };
 

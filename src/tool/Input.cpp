@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace CGAL::Extremal_mesh_3::tool {
 
@@ -52,7 +53,7 @@ void refuse_mesh_options(const Extract_options& options) {
     throw Usage_error("--radius, --rings and --weld are for meshes");
 }
 
-Input formula_input(const Extract_options& options) {
+Input formula_input(const Extract_options& options, const Memory_limit& limit) {
   if (!options.box)
     throw Usage_error("a formula needs a box in which to look for its surface; give --box x0 y0 z0 x1 y1 z1");
   if (options.iso || options.sigma)
@@ -64,6 +65,10 @@ Input formula_input(const Extract_options& options) {
   Input input;
   input.max_level = function_level;
   input.lattice = lattice_of(options, resolution);
+  const std::array<std::size_t, 3>& size = input.lattice.size;
+  constexpr double slices = 2; // of values, at least, are known at a time
+  limit.require(slices * sizeof(double) * double(size[0]) * double(size[1]),
+                fmt::format("a lattice of {} x {} x {} nodes", size[0], size[1], size[2]));
   try {
     input.function = std::make_unique<Formula>(*options.formula);
   } catch (const Formula_error& error) {
@@ -77,7 +82,7 @@ Input formula_input(const Extract_options& options) {
   return input;
 }
 
-Input image_input(const Extract_options& options) {
+Input image_input(const Extract_options& options, const Memory_limit& limit) {
   if (options.box || options.resolution || options.mesher)
     throw Usage_error(
         "--box, --resolution and --mesher are for formulas; an image is taken whole, at its own resolution");
@@ -87,7 +92,7 @@ Input image_input(const Extract_options& options) {
         fmt::format("'{}' is taken for an image, as its name does not end like that of a mesh (.off .obj .ply "
                     ".stl .om); an image needs the value that its surface has; give --iso VALUE",
                     options.input));
-  Image image = read_image(options.input);
+  Image image = read_image(options.input, {.memory_limit = limit.bytes()});
   double voxel = 0; // its largest side: what registration takes for the same place
   for (const Vector& step : image.lattice.step)
     voxel = std::max(voxel, std::hypot(step[0], step[1], step[2]));
@@ -109,7 +114,7 @@ Input image_input(const Extract_options& options) {
   return input;
 }
 
-Input mesh_input(const Extract_options& options) {
+Input mesh_input(const Extract_options& options, const Memory_limit& limit) {
   if (options.box || options.resolution || options.mesher || options.iso || options.sigma)
     throw Usage_error(
         "--box, --resolution, --mesher, --iso and --sigma are for formulas and images; a mesh is taken as "
@@ -126,6 +131,11 @@ Input mesh_input(const Extract_options& options) {
   if (options.rings && (*options.rings < 1 || *options.rings > most_rings))
     throw Usage_error(
         fmt::format("the number of rings is {}; give --rings a number from 1 to {}", *options.rings, most_rings));
+  std::error_code error;
+  if (const std::uintmax_t size = std::filesystem::file_size(options.input, error); !error) {
+    constexpr double content_and_polygons = 3; // bytes per byte of the most compact file, at least
+    limit.require(content_and_polygons * double(size), fmt::format("to read '{}'", options.input));
+  }
   Input input;
   input.mesh = read_mesh(options.input, {.weld_tolerance = options.weld});
   input.max_level = mesh_level;
@@ -138,7 +148,7 @@ Input mesh_input(const Extract_options& options) {
 
 } // namespace
 
-Input read_input(const Extract_options& options) {
+Input read_input(const Extract_options& options, const Memory_limit& limit) {
   if (options.formula && !options.input.empty())
     throw Usage_error("there is an input file and a formula; give one of them");
   if (!options.formula && options.input.empty())
@@ -146,9 +156,9 @@ Input read_input(const Extract_options& options) {
   if (options.line_tolerance && !(std::isfinite(*options.line_tolerance) && *options.line_tolerance >= 0))
     throw Usage_error(
         fmt::format("the line tolerance is {}; give --line-tolerance a length of 0 or more", *options.line_tolerance));
-  return options.formula               ? formula_input(options)
-         : is_mesh_file(options.input) ? mesh_input(options)
-                                       : image_input(options);
+  return options.formula               ? formula_input(options, limit)
+         : is_mesh_file(options.input) ? mesh_input(options, limit)
+                                       : image_input(options, limit);
 }
 
 } // namespace CGAL::Extremal_mesh_3::tool

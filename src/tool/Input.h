@@ -4,6 +4,7 @@
 #define EXTREMAL_MESH_3_SRC_TOOL_INPUT_H
 
 #include "commands.h"
+#include "memory_limit.h"
 
 #include <CGAL/Extremal_mesh_3/Function_3.h>
 #include <CGAL/Extremal_mesh_3/Lattice.h>
@@ -30,8 +31,9 @@ struct Input {
 };
 
 /// understands a formula, or reads an image or a mesh.
-/// \throws Usage_error if options do not belong together or are out of their range; what the library throws
-Input read_input(const Extract_options& options);
+/// \throws Usage_error if options do not belong together or are out of their range; std::runtime_error if it takes too much memory;
+///         what the library throws
+Input read_input(const Extract_options& options, const Memory_limit& limit);
 
 } // namespace CGAL::Extremal_mesh_3::tool
 

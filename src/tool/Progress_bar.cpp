@@ -18,8 +18,13 @@ namespace {
 
 volatile std::sig_atomic_t interrupted_flag = 0;
 
-void note_interrupt(int) {
-  interrupted_flag = 1;
+void note_interrupt(int signal) {
+  interrupted_flag = signal;
+}
+
+void catch_signal(int signal) {
+  if (std::signal(signal, note_interrupt) == SIG_IGN) // as nohup wants it
+    std::signal(signal, SIG_IGN);
 }
 
 constexpr int width = 40;
@@ -28,12 +33,16 @@ constexpr auto interval = std::chrono::milliseconds(100);
 } // namespace
 
 void catch_interrupts() {
-  std::signal(SIGINT, note_interrupt);
-  std::signal(SIGTERM, note_interrupt);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    catch_signal(signal);
+}
+
+int interrupting_signal() {
+  return interrupted_flag;
 }
 
 void stop_if_interrupted() {
-  if (interrupted_flag)
+  if (interrupted_flag != 0)
     throw Cancelled();
 }
 
@@ -61,7 +70,7 @@ bool Progress_bar::show(double share) {
     std::fputs(line.c_str(), stderr);
     std::fflush(stderr);
   }
-  return !interrupted_flag;
+  return interrupted_flag == 0;
 }
 
 } // namespace CGAL::Extremal_mesh_3::tool

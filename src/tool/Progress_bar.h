@@ -10,10 +10,13 @@
 
 namespace CGAL::Extremal_mesh_3::tool {
 
-/// makes Ctrl-C ask for a stop instead of ending the program, so that no partial file is left.
+/// makes Ctrl-C, and what else asks a program to end, ask for a stop instead of ending it, so that no output is missing beside
+/// another one. What is ignored stays ignored.
 void catch_interrupts();
+/// the signal that asked for it; 0 if there was none.
+int interrupting_signal();
 
-/// \throws Cancelled if there was a Ctrl-C
+/// \throws Cancelled if there was such a signal
 void stop_if_interrupted();
 
 /// A bar on standard error while something long runs, if that is a terminal. It is wiped away at the end.

@@ -16,7 +16,8 @@
 /// command line is wrong, what the library throws otherwise.
 namespace CGAL::Extremal_mesh_3::tool {
 
-enum Exit_code { success = 0, failure = 1, usage = 2, interrupted = 130 };
+/// Ended by signal s, the code is `signalled` + s, as the shell has it.
+enum Exit_code { success = 0, failure = 1, usage = 2, signalled = 128 };
 
 /// A command line that makes no sense. The message is one sentence that tells what to do.
 class Usage_error : public std::runtime_error {
@@ -47,6 +48,7 @@ struct Extract_options : Output_options {
   std::optional<int> max_level, max_line_level;
   std::optional<double> line_tolerance;
   bool certify = false;
+  std::string memory_limit; ///< such as "2G"; empty: what the machine has
 };
 int extract(const Extract_options& options);
 

@@ -69,8 +69,9 @@ void extract_from_mesh(Input& input, const Extract_options& told, Extraction_opt
 } // namespace
 
 int extract(const Extract_options& options) {
+  const Memory_limit limit(options.memory_limit);
   const Outputs outputs(options);
-  Input input = read_input(options);
+  Input input = read_input(options, limit);
   catch_interrupts();
 
   Extraction_options extraction_options;

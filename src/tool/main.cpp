@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The command line. CLI11 takes long to compile and is included here, in registration_commands.cpp and in describe_program.cpp only.
+#include "Progress_bar.h"
 #include "commands.h"
 #include "describe_program.h"
+#include "memory_limit.h"
 #include "registration_commands.h"
 
 #include <CGAL/Extremal_mesh_3/errors.h>
@@ -13,10 +15,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <functional>
 #include <new>
+#include <system_error>
 
 namespace {
 
@@ -99,6 +103,8 @@ void add_extract(CLI::App& app, tool::Extract_options& options, std::function<in
          "the same where only the course of a line is uncertain (as --max-level; images 2)");
   option("--line-tolerance", options.line_tolerance, "LENGTH",
          "formulas and images: how far the lines may be from what is written of them (0: as the polygons make it)");
+  option("--memory-limit", options.memory_limit, "SIZE",
+         "end with an error rather than take more memory, such as 500M or 2G (what the machine has)");
   command->add_flag(
       "--certify", options.certify,
       "formulas: prove what cells hold, and count them (takes long); images: prove the surface's topology");
@@ -274,6 +280,7 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN); // a file that gets larger than allowed is an error like a full disk
   try {
     return run(argc, argv);
   } catch (const tool::Usage_error& error) {
@@ -281,9 +288,14 @@ int main(int argc, char** argv) {
   } catch (const std::invalid_argument& error) {
     return tell(error.what(), tool::usage);
   } catch (const Cancelled&) {
-    return tell("interrupted; nothing was left half written", tool::interrupted);
+    return tell("interrupted; nothing was left half written", tool::signalled + tool::interrupting_signal());
   } catch (const std::bad_alloc&) {
-    return tell("out of memory; try a coarser resolution or a smaller image", tool::failure);
+    return tell("out of memory; try a coarser resolution or a smaller image, or allow more", tool::failure);
+  } catch (const std::system_error& error) {
+    return tell(error.code() == std::errc::resource_unavailable_try_again
+                    ? "no thread could be started; allow more memory, or threads"
+                    : error.what(),
+                tool::failure);
   } catch (const std::exception& error) {
     return tell(error.what(), tool::failure);
   }

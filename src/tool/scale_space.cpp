@@ -26,7 +26,7 @@ Extremal_mesh mesh_at(const Scale_space_command_options& options, double sigma) 
   what.sigma = sigma;
   what.threads = options.threads;
   what.quiet = options.quiet;
-  const Input input = read_input(what);
+  const Input input = read_input(what, Memory_limit(what.memory_limit));
   Extraction_options how;
   how.threads = options.threads;
   how.max_level = input.max_level;

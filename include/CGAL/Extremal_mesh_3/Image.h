@@ -6,6 +6,8 @@
 #include <CGAL/Extremal_mesh_3/Lattice.h>
 #include <CGAL/Extremal_mesh_3/errors.h>
 
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,12 @@ struct Image {
   std::vector<float> voxels; ///< in the order of the lattice's nodes
 };
 
+/// How to read an image.
+struct Image_reading_options {
+  /// an image that takes more bytes of memory while it is read is refused before they are taken
+  std::uint64_t memory_limit = std::numeric_limits<std::uint64_t>::max();
+};
+
 /// reads a 3D scalar image: NRRD (.nrrd, .nhdr; raw, gzip or ascii), MetaImage (.mha, .mhd; raw or compressed), NIfTI-1
 /// (.nii, .nii.gz), VTK's legacy format (.vtk; structured points), with any type of number and in either byte order.
 /// Four dimensions are read if there is only one volume; voxels in several files are not.
@@ -26,8 +34,10 @@ struct Image {
 /// \throws Io_error naming the file and what is wrong: it does not exist, is empty, truncated or damaged, is not an
 /// image, is
 ///         not 3D with 4 nodes at least along each axis, has several values per voxel, a spacing that is not positive,
-///         a singular direction matrix, a voxel that is not finite (as a float), or is larger than memory
-Image read_image(const std::string& file);
+///         a singular direction matrix, a voxel that is not finite (as a float), is larger than memory, or changes while it
+///         is read
+/// A header that lies about the size of the data takes no memory; compressed data are not read on far beyond what it tells.
+Image read_image(const std::string& file, const Image_reading_options& options = {});
 
 } // namespace CGAL::Extremal_mesh_3
 

@@ -37,7 +37,7 @@ public:
   /// \throws std::invalid_argument if an option or the image is not as it should be: sizes that do not agree, a voxel
   /// or a step that is not
   ///         finite, dependent steps; σ below 0.45 voxels on an axis (the surface would show the interpolation, not the
-  ///         image; the message names the smallest σ that works) or larger than the image
+  ///         image; the message names the smallest σ that works), larger than the image or than 10000 voxels on an axis
   /// \throws Extraction_error if iso is outside the range of the image's values
   /// \throws Cancelled when progress asks for it
   Image_function(const Image& image, const Image_function_options& options);
