@@ -12,17 +12,9 @@ namespace CGAL::Extremal_mesh_3 {
 // operations in the same order. Plain loops were left with their sums in memory, three times slower.
 using Four_floats = float __attribute__((vector_size(16)));
 
-/// As many doubles as go into a row of `Width` of them without a rest: four or two.
-template <int Width, bool = Width % 4 == 0> struct Lanes {
-  static constexpr std::size_t number = 4;
-  using Doubles = double __attribute__((vector_size(32)));
-  using Floats = float __attribute__((vector_size(16)));
-};
-template <int Width> struct Lanes<Width, false> {
-  static constexpr std::size_t number = 2;
-  using Doubles = double __attribute__((vector_size(16)));
-  using Floats = float __attribute__((vector_size(8)));
-};
+using Four_doubles = double __attribute__((vector_size(32)));
+using Eight_doubles = double __attribute__((vector_size(64)));
+using Eight_floats = float __attribute__((vector_size(32)));
 
 inline Four_floats load(const float* p) {
   Four_floats v;

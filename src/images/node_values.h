@@ -19,7 +19,7 @@ template <int Degree> void node_values(const Spline_volume& volume, std::size_t 
   const auto [nx, ny, nz] = volume.size;
   std::array<double, radius + 1> w; // w[0] is the centre's
   for (std::size_t r = 0; r <= radius; ++r)
-    w[r] = spline_weights<Degree, 0>(0)[0][radius - r];
+    w[r] = spline_weights<Degree, 0>(0.0)[0][radius - r];
 
   const auto clamped = [](std::size_t i, std::size_t n) { return std::clamp(i, +radius, radius + n - 1) - radius; };
   std::array<const float*, 2 * radius + 1> slices;
