@@ -55,22 +55,32 @@ bool changes_sign_inside(const Function_3& f, const Lattice& lattice, const std:
 }
 
 /// tells whether an edge or a face without a change of sign at its corners has another one in its middle.
-bool changes_sign_between(const Function_3& f, const Lattice& lattice, const std::array<double, 3>& base) {
-  const auto value = [&](double i, double j, double k) {
-    return f.value(lattice.node(base[0] + i, base[1] + j, base[2] + k));
+bool changes_sign_between(const Function_3& f, const Lattice& lattice, const Grid_cube& cube) {
+  std::array<std::size_t, 3> base;
+  for (std::size_t a = 0; a < 3; ++a)
+    base[a] = std::size_t(cube.base[a] / Octree::unit);
+  std::array<double, 27> values;
+  const bool known = f.half_step_values(lattice, base, values);
+  // In half steps.
+  const auto value = [&](const std::array<std::size_t, 3>& at) {
+    return known ? values[at[0] + 3 * at[1] + 9 * at[2]]
+                 : f.value(lattice.node(double(base[0]) + 0.5 * double(at[0]), double(base[1]) + 0.5 * double(at[1]),
+                                        double(base[2]) + 0.5 * double(at[2])));
   };
   std::array<bool, 8> plus;
   for (unsigned c = 0; c < 8; ++c)
-    plus[c] = value(c & 1, c >> 1 & 1, c >> 2 & 1) >= 0;
+    plus[c] = value({2 * (c & 1U), 2 * (c >> 1 & 1U), 2 * (c >> 2 & 1U)}) >= 0;
   const auto is_other = [&](const auto& corners) {
-    std::array<double, 3> middle{};
+    std::array<std::size_t, 3> middle{};
     for (const int c : corners) {
       if (plus[std::size_t(c)] != plus[std::size_t(corners[0])])
         return false;
-      for (int a = 0; a < 3; ++a)
-        middle[std::size_t(a)] += double(c >> a & 1) / double(corners.size());
+      for (std::size_t a = 0; a < 3; ++a)
+        middle[a] += 2 * (unsigned(c) >> a & 1U);
     }
-    const double v = value(middle[0], middle[1], middle[2]);
+    for (std::size_t& m : middle)
+      m /= corners.size();
+    const double v = value(middle);
     return std::isfinite(v) && (v >= 0) != plus[std::size_t(corners[0])];
   };
   return std::any_of(edge_corners.begin(), edge_corners.end(), is_other) ||
@@ -156,7 +166,7 @@ void Hidden_parts::divide(const Function_3& f, const std::vector<Grid_cube>& cub
     hides[i] = changes_sign_inside(f, lattice_, in_steps(suspects_[i]));
   });
   pool.for_each(between.size(), 32, [&](std::size_t i) {
-    between[i] = changes_sign_between(f, lattice_, in_steps(cubes[i]));
+    between[i] = changes_sign_between(f, lattice_, cubes[i]);
   });
   const auto divide_twice = [&](const Grid_cube& c) {
     tree.divide(c);

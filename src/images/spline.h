@@ -128,36 +128,13 @@ template <int Degree, int Order>
       }
 }
 
-#ifdef __x86_64__
-/// the same with AVX2 or AVX-512, where a row of eight coefficients is two operands or one. The operations and their order are
-/// the same, and so is the result, to the last bit.
-template <int Degree, int Order>
-[[gnu::target("avx2")]] void evaluate_spline_avx2(const Spline_volume& volume, const Point& u, Partials& partials) {
-  evaluate_spline_here<Degree, Order>(volume, u, partials);
-}
-inline bool has_avx512() {
-  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-}
-template <int Degree, int Order>
-[[gnu::target("avx512f,avx512dq,avx512vl")]] void evaluate_spline_avx512(const Spline_volume& volume, const Point& u,
-                                                                         Partials& partials) {
-  evaluate_spline_here<Degree, Order>(volume, u, partials);
-}
-#endif
-
 } // namespace internal
 
 /// computes the spline's derivatives of all orders up to `Order` at `u`, given in units of the lattice.
 /// \pre `u` is finite
 template <int Degree, int Order> void evaluate_spline(const Spline_volume& volume, const Point& u, Partials& partials) {
-#ifdef __x86_64__
-  static const bool avx512 = internal::has_avx512(), avx2 = __builtin_cpu_supports("avx2");
-  if (avx512)
-    return internal::evaluate_spline_avx512<Degree, Order>(volume, u, partials);
-  if (avx2)
-    return internal::evaluate_spline_avx2<Degree, Order>(volume, u, partials);
-#endif
-  internal::evaluate_spline_here<Degree, Order>(volume, u, partials);
+  internal::on_widest_vectors(
+      [&]() __attribute__((always_inline)) { internal::evaluate_spline_here<Degree, Order>(volume, u, partials); });
 }
 
 } // namespace CGAL::Extremal_mesh_3
