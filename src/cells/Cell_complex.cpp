@@ -14,9 +14,9 @@ namespace {
 
 /// One side of one polygon.
 struct Side {
-  std::uint32_t low, high; // the two points, ordered
-  bool reversed;           // the polygon runs from high to low
-  std::size_t position;    // in the list of corners
+  std::uint32_t low = 0, high = 0; // the two points, ordered
+  std::uint32_t position = 0;      // in the list of corners
+  bool reversed = false;           // the polygon runs from high to low
 };
 
 void check_polygons(std::size_t points, const std::vector<std::size_t>& begin,
@@ -38,6 +38,25 @@ void check_polygons(std::size_t points, const std::vector<std::size_t>& begin,
       throw std::invalid_argument(
           fmt::format("polygon {} meets point {} twice", i, *std::adjacent_find(sorted.begin(), sorted.end())));
   }
+}
+
+/// sorts sides by their points and positions. They come in order of their positions, and few begin at the same point.
+void sort(std::vector<Side>& sides, std::size_t points) {
+  std::vector<std::size_t> begin(points + 1, 0); // of the sides at each point
+  for (const Side& s : sides)
+    ++begin[s.low + 1];
+  for (std::size_t p = 0; p < points; ++p)
+    begin[p + 1] += begin[p];
+  std::vector<Side> sorted(sides.size());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  for (const Side& s : sides)
+    sorted[next[s.low]++] = s;
+  for (std::size_t p = 0; p < points; ++p)
+    std::sort(sorted.begin() + std::ptrdiff_t(begin[p]), sorted.begin() + std::ptrdiff_t(begin[p + 1]),
+              [](const Side& a, const Side& b) {
+                return std::tie(a.high, a.position) < std::tie(b.high, b.position);
+              });
+  sides = std::move(sorted);
 }
 
 /// checks that the cells around every point form one fan, open at the border or closed.
@@ -91,12 +110,10 @@ Cell_complex make_cell_complex(std::vector<Point> points, const std::vector<std:
   for (std::size_t c = 0; c < cells; ++c)
     for (std::size_t p = polygon_begin[c]; p < polygon_begin[c + 1]; ++p) {
       const std::uint32_t a = corners[p], b = corners[p + 1 < polygon_begin[c + 1] ? p + 1 : polygon_begin[c]];
-      sides[p] = {std::min(a, b), std::max(a, b), a > b, p};
+      sides[p] = {std::min(a, b), std::max(a, b), std::uint32_t(p), a > b};
       cell_of[p] = c;
     }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.position) < std::tie(b.low, b.high, b.position);
-  });
+  sort(sides, points.size());
 
   // Sides of the same two points are neighbours now; the first of a group owns the edge.
   std::vector<std::uint32_t> partner(corners.size()); // position of the owner of the edge
@@ -111,7 +128,7 @@ Cell_complex make_cell_complex(std::vector<Point> points, const std::vector<std:
                     : fmt::format("the two polygons at the edge between points {} and {} are oriented differently",
                                   sides[i].low, sides[i].high));
     for (std::size_t k = i; k < j; ++k)
-      partner[sides[k].position] = std::uint32_t(sides[i].position);
+      partner[sides[k].position] = sides[i].position;
     i = j;
   }
 

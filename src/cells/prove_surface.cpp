@@ -5,6 +5,8 @@
 // only near what bends much are single cubes looked at.
 #include "prove_surface.h"
 
+#include "cube.h"
+
 #include "../functions/sharp_bounds.h"
 
 #include <CGAL/Extremal_mesh_3/internal/interval_arithmetic.h>
@@ -98,19 +100,13 @@ private:
 
   /// the axis-parallel box around a block's corners, as far as they are in the lattice.
   Box_3 box_of(const Block& b) const {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Box_3 box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      Grid_point at;
-      for (std::size_t a = 0; a < 3; ++a)
-        at[a] = std::min(size_[a], b.base[a] + (corner >> a & 1U) * b.side);
-      const Point p = node(at);
-      for (std::size_t a = 0; a < 3; ++a) {
-        box.low[a] = std::min(box.low[a], internal::below(p[a]));
-        box.high[a] = std::max(box.high[a], internal::above(p[a]));
-      }
+    constexpr double unit(Octree::unit);
+    std::array<double, 3> low, high;
+    for (std::size_t a = 0; a < 3; ++a) {
+      low[a] = double(b.base[a]) / unit;
+      high[a] = double(std::min(size_[a], b.base[a] + b.side)) / unit;
     }
-    return box;
+    return box_around(lattice_, low, high);
   }
 
   /// tells whether any two gradients, taken in steps of the lattice, make an angle below 90°.

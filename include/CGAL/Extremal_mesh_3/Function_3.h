@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -37,6 +38,11 @@ public:
   /// \param out  `size[0]·size[1]` values, i fastest. The default calls `value()`; models that can do better override it.
   ///             A value may differ from `value()` by rounding.
   virtual void lattice_values(const Lattice& lattice, std::size_t k, double* out) const;
+
+  /// the values at some of the nodes (·,·,k) of a lattice.
+  /// \param out  `size[0]·size[1]` values, i fastest, of which those at the nodes of `parts` are set. The default calls `value()`.
+  virtual void lattice_values(const Lattice& lattice, std::size_t k, std::span<const Row_part> parts,
+                              double* out) const;
 
   /// the values at the corners of a cube of a lattice and half way between them.
   /// \param cube  its corner with the smallest numbers

@@ -48,6 +48,7 @@ public:
 
   double value(const Point& p) const override;
   void derivatives(const Point& p, int order, Derivatives& d) const override;
+  using Function_3::lattice_values;
   /// On `lattice()` this takes a few ns per node.
   void lattice_values(const Lattice& lattice, std::size_t k, double* out) const override;
 
