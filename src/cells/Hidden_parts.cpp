@@ -181,12 +181,9 @@ std::vector<Grid_cube> Hidden_parts::suspects_between(const Slices& slices, std:
 void Hidden_parts::divide(const Function_3& f, const std::vector<Grid_cube>& cubes, Thread_pool& pool,
                           Octree& tree) const {
   std::vector<char> hides(suspects_.size()), between(cubes.size());
-  pool.for_each(hides.size(), 32, [&](std::size_t i) {
-    hides[i] = changes_sign_inside(f, lattice_, in_steps(suspects_[i]));
-  });
-  pool.for_each(between.size(), 32, [&](std::size_t i) {
-    between[i] = changes_sign_between(f, lattice_, cubes[i]);
-  });
+  pool.for_each(hides.size(), 32,
+                [&](std::size_t i) { hides[i] = changes_sign_inside(f, lattice_, in_steps(suspects_[i])); });
+  pool.for_each(between.size(), 32, [&](std::size_t i) { between[i] = changes_sign_between(f, lattice_, cubes[i]); });
   const auto divide_twice = [&](const Grid_cube& c) {
     tree.divide(c);
     for (unsigned k = 0; k < 8; ++k)

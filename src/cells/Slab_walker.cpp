@@ -57,8 +57,7 @@ constexpr void join(const std::array<int, 4>& face, unsigned plus_corners, bool 
       while (!(plus[s] && !plus[(s + 3) % 4]))
         s = (s + 3) % 4;
     const std::size_t from = joined ? s : (s + 3) % 4;
-    next[std::size_t(edge_between(face[c], face[d]))] =
-        std::int8_t(edge_between(face[from], face[(from + 1) % 4]));
+    next[std::size_t(edge_between(face[c], face[d]))] = std::int8_t(edge_between(face[from], face[(from + 1) % 4]));
   }
 }
 
@@ -89,8 +88,9 @@ const Segments& segments_of(unsigned plus) {
 
 Slab_walker::Slab_walker(const Function_3& f, const Lattice& lattice, const Active_cubes& active)
     : f_(f), lattice_(lattice), active_(active), nx_(lattice.size[0]), ny_(lattice.size[1]),
-      left_handed_(is_left_handed(lattice)), low_{Points(nx_ * ny_), Points(nx_ * ny_)},
-      high_{Points(nx_ * ny_), Points(nx_ * ny_)}, z_(nx_ * ny_), columns_(nx_) {}
+      left_handed_(is_left_handed(lattice)), low_{Points(nx_ * ny_), Points(nx_ * ny_)}, high_{Points(nx_ * ny_),
+                                                                                               Points(nx_ * ny_)},
+      z_(nx_ * ny_), columns_(nx_) {}
 
 void Slab_walker::walk(std::size_t k, const Slice_values& low, const Slice_values& high) {
   k_ = k;
@@ -156,8 +156,8 @@ void Slab_walker::cube(std::size_t i, std::size_t j) {
   }
 }
 
-bool Slab_walker::plus_corners_joined(const std::array<int, 4>& face, const std::array<double, 8>& value,
-                                      std::size_t i, std::size_t j) const {
+bool Slab_walker::plus_corners_joined(const std::array<int, 4>& face, const std::array<double, 8>& value, std::size_t i,
+                                      std::size_t j) const {
   // In an order that does not depend on the cube from which the face is seen.
   std::array<int, 4> c = face;
   std::sort(c.begin(), c.end());

@@ -29,8 +29,8 @@ Box_3 box_around(const Lattice& lattice, const std::array<double, 3>& low, const
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Box_3 box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
   for (unsigned corner = 0; corner < 8; ++corner) {
-    const Point p = lattice.node(corner & 1 ? high[0] : low[0], corner & 2 ? high[1] : low[1],
-                                 corner & 4 ? high[2] : low[2]);
+    const Point p =
+        lattice.node(corner & 1 ? high[0] : low[0], corner & 2 ? high[1] : low[1], corner & 4 ? high[2] : low[2]);
     for (std::size_t a = 0; a < 3; ++a) {
       box.low[a] = std::min(box.low[a], internal::below(p[a]));
       box.high[a] = std::max(box.high[a], internal::above(p[a]));

@@ -26,6 +26,26 @@ namespace {
 /// Room for what is small or thin without end where there is nothing to find, as around poles: some seconds of work.
 constexpr std::size_t most_divided = std::size_t(1) << 14;
 
+/// the polygons as the signs at the nodes of the lattice tell them.
+/// \param hidden  gets what there is to look at; null: nothing
+Woven_cells weave(const Function_3& f, const Lattice& lattice, const Progress& progress, Hidden_parts* hidden,
+                  Thread_pool& pool) {
+  const Active_cubes active =
+      f.bounds_cost() == Bounds_cost::low ? Active_cubes(f, lattice, pool) : Active_cubes(lattice);
+  Slab_walker walker(f, lattice, active);
+  Slices values(f, lattice, active);
+  for (std::size_t first = 0; first < lattice.size[2]; first = values.end()) {
+    values.compute_more(pool);
+    for (std::size_t k = std::max<std::size_t>(first, 1); k < values.end(); ++k)
+      walker.walk(k - 1, values[k - 1], values[k]);
+    if (hidden)
+      hidden->look(first, values, pool);
+    if (progress && !progress(double(values.end()) / double(lattice.size[2])))
+      throw Cancelled();
+  }
+  return std::move(walker.woven);
+}
+
 std::string no_surface_text(const Surface_report& report) {
   std::string text = "the function has no zero surface in the box";
   if (report.undecided_cubes != 0) {
@@ -46,21 +66,8 @@ Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, co
 
   const bool proves =
       f.bounds_cost() == Bounds_cost::low || (f.bounds_cost() != Bounds_cost::unknown && options.prove_surface);
-  const Active_cubes active =
-      f.bounds_cost() == Bounds_cost::low ? Active_cubes(f, lattice, pool) : Active_cubes(lattice);
-  Slab_walker walker(f, lattice, active);
   Hidden_parts hidden(lattice);
-  Slices values(f, lattice, active);
-  for (std::size_t first = 0; first < lattice.size[2]; first = values.end()) {
-    values.compute_more(pool);
-    for (std::size_t k = std::max<std::size_t>(first, 1); k < values.end(); ++k)
-      walker.walk(k - 1, values[k - 1], values[k]);
-    if (!proves)
-      hidden.look(first, values, pool);
-    if (options.progress && !options.progress(double(values.end()) / double(lattice.size[2])))
-      throw Cancelled();
-  }
-  Woven_cells& woven = walker.woven;
+  Woven_cells woven = weave(f, lattice, options.progress, proves ? nullptr : &hidden, pool);
   woven.points.resize(woven.cuts.size());
   pool.for_each(woven.points.size(), 256,
                 [&](std::size_t p) { woven.points[p] = surface_point(f, lattice, woven.cuts[p]); });
@@ -87,6 +94,8 @@ Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, co
     *report = found;
   if (woven.cubes.empty())
     throw Extraction_error(no_surface_text(found));
+  woven.cuts = {};
+  woven.cubes = {};
   return make_cell_complex(std::move(woven.points), woven.polygon_begin, woven.corners);
 }
 

@@ -113,8 +113,8 @@ private:
   bool keeps_direction(const std::array<Interval, 3>& gradient) const {
     Interval product;
     for (std::size_t a = 0; a < 3; ++a) {
-      const Interval along = lattice_.step[a][0] * gradient[0] + lattice_.step[a][1] * gradient[1] +
-                             lattice_.step[a][2] * gradient[2];
+      const Interval along =
+          lattice_.step[a][0] * gradient[0] + lattice_.step[a][1] * gradient[1] + lattice_.step[a][2] * gradient[2];
       product = product + along * along;
     }
     return product.low > 0;

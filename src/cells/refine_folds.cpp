@@ -31,7 +31,6 @@ public:
       : f_(f), lattice_(lattice), coarse_(cells), pool_(pool), tree_(tree), keeps_balance_(keeps_balance) {}
 
   Unsettled_cubes refine() {
-    current_ = coarse_;
     add_normals();
     if (!tree_.divided_cubes().empty()) {
       weave();
@@ -53,41 +52,44 @@ public:
       add_normals();
       folded = folded_cubes();
     }
-    if (!tree_.divided_cubes().empty()) {
+    if (is_woven_anew_) {
       drop_unused_points();
-      coarse_ = std::move(current_);
+      coarse_ = std::move(woven_);
     }
     return {std::move(folded), std::move(ambiguous_)};
   }
 
 private:
+  /// what there is now.
+  const Woven_cells& current() const { return is_woven_anew_ ? woven_ : coarse_; }
+
   void add_normals() {
     const std::size_t first = normals_.size();
-    normals_.resize(current_.points.size());
+    normals_.resize(current().points.size());
     pool_.for_each(normals_.size() - first, 128, [&](std::size_t i) {
       Derivatives d;
-      f_.derivatives(current_.points[first + i], 1, d);
+      f_.derivatives(current().points[first + i], 1, d);
       normals_[first + i] = (1 / norm(d.gradient)) * d.gradient;
     });
   }
 
   bool is_folded(std::size_t polygon) const {
-    const std::size_t begin = current_.polygon_begin[polygon], end = current_.polygon_begin[polygon + 1];
+    const std::size_t begin = current().polygon_begin[polygon], end = current().polygon_begin[polygon + 1];
     const double share = 1 / double(end - begin);
     Point middle{};
     Vector n{}, area{};
     for (std::size_t i = begin; i < end; ++i) {
-      middle = middle + share * current_.points[current_.corners[i]];
-      n = n + share * normals_[current_.corners[i]];
+      middle = middle + share * current().points[current().corners[i]];
+      n = n + share * normals_[current().corners[i]];
     }
     const double length = norm(n);
     if (!(length > least_normal_cosine))
       return true;
     double worst = 1, radius = 0;
     for (std::size_t i = begin; i < end; ++i) {
-      const Point& p = current_.points[current_.corners[i]];
-      const Point& q = current_.points[current_.corners[i + 1 < end ? i + 1 : begin]];
-      worst = std::min(worst, dot(normals_[current_.corners[i]], n) / length);
+      const Point& p = current().points[current().corners[i]];
+      const Point& q = current().points[current().corners[i + 1 < end ? i + 1 : begin]];
+      worst = std::min(worst, dot(normals_[current().corners[i]], n) / length);
       radius = std::max(radius, distance(p, middle));
       area = area + 0.5 * cross(p - middle, q - middle);
     }
@@ -100,12 +102,12 @@ private:
   }
 
   std::vector<Grid_cube> folded_cubes() {
-    std::vector<char> folded(current_.cubes.size());
+    std::vector<char> folded(current().cubes.size());
     pool_.for_each(folded.size(), 128, [&](std::size_t i) { folded[i] = is_folded(i); });
     std::vector<Grid_cube> cubes;
     for (std::size_t i = 0; i < folded.size(); ++i)
       if (folded[i])
-        cubes.push_back(current_.cubes[i]);
+        cubes.push_back(current().cubes[i]);
     return cubes;
   }
 
@@ -149,27 +151,27 @@ private:
 
   /// puts together the coarse cells outside of the woven cubes and those that the weaver made.
   void take(const std::set<Grid_cube>& cubes, const Octree_weaver& weaver) {
-    current_ = {};
-    current_.points = coarse_.points;
+    is_woven_anew_ = true;
+    woven_ = {};
+    woven_.points = coarse_.points;
     normals_.resize(coarse_.points.size());
     for (std::size_t i = 0; i < coarse_.cubes.size(); ++i) {
       if (cubes.count(coarse_.cubes[i]))
         continue;
-      current_.corners.insert(current_.corners.end(),
-                              coarse_.corners.begin() + std::ptrdiff_t(coarse_.polygon_begin[i]),
-                              coarse_.corners.begin() + std::ptrdiff_t(coarse_.polygon_begin[i + 1]));
-      current_.polygon_begin.push_back(current_.corners.size());
-      current_.cubes.push_back(coarse_.cubes[i]);
+      woven_.corners.insert(woven_.corners.end(), coarse_.corners.begin() + std::ptrdiff_t(coarse_.polygon_begin[i]),
+                            coarse_.corners.begin() + std::ptrdiff_t(coarse_.polygon_begin[i + 1]));
+      woven_.polygon_begin.push_back(woven_.corners.size());
+      woven_.cubes.push_back(coarse_.cubes[i]);
     }
-    const std::size_t offset = current_.corners.size();
-    current_.corners.insert(current_.corners.end(), weaver.corners.begin(), weaver.corners.end());
+    const std::size_t offset = woven_.corners.size();
+    woven_.corners.insert(woven_.corners.end(), weaver.corners.begin(), weaver.corners.end());
     for (std::size_t i = 0; i < weaver.polygon_cubes.size(); ++i)
-      current_.polygon_begin.push_back(offset + weaver.polygon_begin[i + 1]);
-    current_.cubes.insert(current_.cubes.end(), weaver.polygon_cubes.begin(), weaver.polygon_cubes.end());
+      woven_.polygon_begin.push_back(offset + weaver.polygon_begin[i + 1]);
+    woven_.cubes.insert(woven_.cubes.end(), weaver.polygon_cubes.begin(), weaver.polygon_cubes.end());
     const std::size_t first = coarse_.points.size();
-    current_.points.resize(first + weaver.new_cut_edges.size());
+    woven_.points.resize(first + weaver.new_cut_edges.size());
     pool_.for_each(weaver.new_cut_edges.size(), 64, [&](std::size_t i) {
-      current_.points[first + i] = surface_point(f_, lattice_, weaver.new_cut_edges[i]);
+      woven_.points[first + i] = surface_point(f_, lattice_, weaver.new_cut_edges[i]);
     });
   }
 
@@ -216,17 +218,17 @@ private:
   }
 
   void drop_unused_points() {
-    std::vector<std::uint32_t> number(current_.points.size(), 0);
-    for (const std::uint32_t c : current_.corners)
+    std::vector<std::uint32_t> number(woven_.points.size(), 0);
+    for (const std::uint32_t c : woven_.corners)
       number[c] = 1;
     std::uint32_t kept = 0;
     for (std::size_t p = 0; p < number.size(); ++p)
       if (number[p]) {
-        current_.points[kept] = current_.points[p];
+        woven_.points[kept] = woven_.points[p];
         number[p] = kept++;
       }
-    current_.points.resize(kept);
-    for (std::uint32_t& c : current_.corners)
+    woven_.points.resize(kept);
+    for (std::uint32_t& c : woven_.corners)
       c = number[c];
   }
 
@@ -237,8 +239,9 @@ private:
   Octree& tree_;
   bool keeps_balance_;
   std::vector<Grid_cube> ambiguous_; ///< of the last weaving
-  Woven_cells current_;
-  std::vector<Vector> normals_; ///< of the points of current_
+  bool is_woven_anew_ = false;
+  Woven_cells woven_;           ///< then
+  std::vector<Vector> normals_; ///< of the current points
 };
 
 } // namespace
