@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <unordered_set>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -23,6 +23,23 @@ constexpr double least_facing_cosine = 0.26;
 constexpr double plain_normal_cosine = 0.7;
 /// More folds than this and one per cell are no surface that could be followed, but something like a pole.
 constexpr std::size_t most_folded = std::size_t(1) << 14;
+
+/// Cubes, in order, of which it is soon known whether one is among them.
+class Cube_set {
+public:
+  void insert(const Grid_cube& c) {
+    if (known_.insert(c).second)
+      cubes_.push_back(c);
+  }
+  void sort() { std::sort(cubes_.begin(), cubes_.end()); }
+  bool has(const Grid_cube& c) const { return known_.count(c) != 0; }
+  auto begin() const { return cubes_.begin(); }
+  auto end() const { return cubes_.end(); }
+
+private:
+  std::vector<Grid_cube> cubes_;
+  std::unordered_set<Grid_cube, Grid_hash> known_;
+};
 
 class Folds {
 public:
@@ -129,17 +146,18 @@ private:
   }
 
   /// the cubes of the lattice that are divided or touch a divided one.
-  std::set<Grid_cube> cubes_to_weave() const {
-    std::set<Grid_cube> result;
+  Cube_set cubes_to_weave() const {
+    Cube_set result;
     for (const Grid_cube& c : tree_.divided_cubes())
       if (c.level == 0)
         for (const Grid_cube& n : tree_.around(c))
           result.insert(n);
+    result.sort();
     return result;
   }
 
   void weave() {
-    const std::set<Grid_cube> cubes = cubes_to_weave();
+    const Cube_set cubes = cubes_to_weave();
     Octree_weaver weaver(f_, lattice_, tree_);
     give_values(cubes, weaver);
     give_points(cubes, weaver);
@@ -150,13 +168,13 @@ private:
   }
 
   /// puts together the coarse cells outside of the woven cubes and those that the weaver made.
-  void take(const std::set<Grid_cube>& cubes, const Octree_weaver& weaver) {
+  void take(const Cube_set& cubes, const Octree_weaver& weaver) {
     is_woven_anew_ = true;
     woven_ = {};
     woven_.points = coarse_.points;
     normals_.resize(coarse_.points.size());
     for (std::size_t i = 0; i < coarse_.cubes.size(); ++i) {
-      if (cubes.count(coarse_.cubes[i]))
+      if (cubes.has(coarse_.cubes[i]))
         continue;
       woven_.corners.insert(woven_.corners.end(), coarse_.corners.begin() + std::ptrdiff_t(coarse_.polygon_begin[i]),
                             coarse_.corners.begin() + std::ptrdiff_t(coarse_.polygon_begin[i + 1]));
@@ -175,31 +193,31 @@ private:
     });
   }
 
-  static bool touches(const std::set<Grid_cube>& cubes, const Grid_point& base, std::size_t axis) {
+  static bool touches(const Cube_set& cubes, const Grid_point& base, std::size_t axis) {
     for (int i = 1; i < 4; ++i) {
       Grid_cube c{base, 0};
       c.base[(axis + 1) % 3] -= i & 1 ? Octree::unit : 0;
       c.base[(axis + 2) % 3] -= i & 2 ? Octree::unit : 0;
-      if (cubes.count(c))
+      if (cubes.has(c))
         return true;
     }
     return false;
   }
 
-  void give_points(const std::set<Grid_cube>& cubes, Octree_weaver& weaver) const {
+  void give_points(const Cube_set& cubes, Octree_weaver& weaver) const {
     for (std::uint32_t p = 0; p < coarse_.cuts.size(); ++p) {
       const Cut_edge& cut = coarse_.cuts[p];
       Grid_point base;
       for (std::size_t a = 0; a < 3; ++a)
         base[a] = std::int64_t(cut.node[a]) * Octree::unit;
-      if (cubes.count({base, 0}) || touches(cubes, base, cut.axis))
+      if (cubes.has({base, 0}) || touches(cubes, base, cut.axis))
         weaver.set_point(base, cut.axis, p);
     }
     weaver.set_first_new_point(std::uint32_t(coarse_.points.size()));
   }
 
   /// At the nodes of the lattice the weaver must see the values that the lattice was woven with.
-  void give_values(const std::set<Grid_cube>& cubes, Octree_weaver& weaver) const {
+  void give_values(const Cube_set& cubes, Octree_weaver& weaver) const {
     std::vector<Grid_point> nodes;
     for (const Grid_cube& c : cubes)
       for (unsigned k = 0; k < 8; ++k)

@@ -248,8 +248,9 @@ template <int Degree>
 double root_on_edge_of_spline(const Spline_volume& volume, double iso, const std::array<std::size_t, 3>& node,
                               std::size_t axis, double v0, double v1) {
   Polynomial<Degree> p;
-  internal::on_widest_vectors(
-      [&]() __attribute__((always_inline)) { p = polynomial_on_edge<Degree>(volume, node, axis); });
+  internal::on_widest_vectors([&]() __attribute__((always_inline)) {
+    p = polynomial_on_edge<Degree>(volume, node, axis);
+  });
   p[0] -= iso;
   return root_in_bracket(v0, v1, [&](double t) {
     double value = p[Degree], slope = 0;

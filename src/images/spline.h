@@ -133,8 +133,9 @@ template <int Degree, int Order>
 /// computes the spline's derivatives of all orders up to `Order` at `u`, given in units of the lattice.
 /// \pre `u` is finite
 template <int Degree, int Order> void evaluate_spline(const Spline_volume& volume, const Point& u, Partials& partials) {
-  internal::on_widest_vectors(
-      [&]() __attribute__((always_inline)) { internal::evaluate_spline_here<Degree, Order>(volume, u, partials); });
+  internal::on_widest_vectors([&]() __attribute__((always_inline)) {
+    internal::evaluate_spline_here<Degree, Order>(volume, u, partials);
+  });
 }
 
 } // namespace CGAL::Extremal_mesh_3

@@ -43,8 +43,7 @@ template <int Degree> struct Local_coefficients {
 
 /// computes the spline at the corners of a cube and half way between them: `out[a + 3·b + 9·c]` at (a, b, c)/2.
 template <int Degree>
-[[gnu::always_inline]] inline void half_step_values(const Spline_volume& volume,
-                                                    const std::array<std::size_t, 3>& cube,
+[[gnu::always_inline]] inline void half_step_values(const Spline_volume& volume, const std::array<std::size_t, 3>& cube,
                                                     std::array<double, 27>& out) {
   constexpr std::size_t width = Degree + 1;
   const Local_coefficients<Degree> local(volume, cube);
@@ -87,8 +86,9 @@ polynomial_on_edge(const Spline_volume& volume, const std::array<std::size_t, 3>
   constexpr std::size_t width = Degree + 1;
   const Local_coefficients<Degree> local(volume, node);
   const Spline_weights<Degree, Degree> at_node = spline_weights<Degree, Degree>(0.0);
-  const std::array<double, width>& w = at_node[0]; // the last one is 0: seen from the node, the coefficients lie symmetrically
-  std::array<double, width> along{};               // the coefficients of the spline on the line of the edge
+  const std::array<double, width>& w =
+      at_node[0];                    // the last one is 0: seen from the node, the coefficients lie symmetrically
+  std::array<double, width> along{}; // the coefficients of the spline on the line of the edge
   if (axis == 2)
     for (std::size_t k = 0; k < width; ++k) {
       Eight_doubles sum{};
