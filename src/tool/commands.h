@@ -46,6 +46,8 @@ struct Extract_options : Output_options {
   std::optional<int> rings;
   std::optional<int> max_level, max_line_level;
   std::optional<double> line_tolerance;
+  bool largest = false; ///< of the surface's components
+  std::optional<double> min_area;
   bool certify = false;
 };
 int extract(const Extract_options& options);
