@@ -7,6 +7,8 @@
 //   ours accuracy             the error of third derivatives between the nodes
 //   ours jets RINGS FILE.off  jets at the vertices of a mesh
 //   ours fit FILE.off         the errors of k and e that these jets have, with two rings
+//   ours write VERTICES FILE.graphml OUT.graphml   a graph of so many vertices, made of copies of a given one
+//   ours read FILE.graphml
 //
 // The volume in memory already; one thread, or as many as a last argument says.
 #include "Ellipsoid.h"
@@ -16,6 +18,7 @@
 #include <CGAL/Extremal_mesh_3/Image_function.h>
 #include <CGAL/Extremal_mesh_3/extract_extremal_mesh.h>
 #include <CGAL/Extremal_mesh_3/fit_vertex_shapes.h>
+#include <CGAL/Extremal_mesh_3/io.h>
 #include <CGAL/Extremal_mesh_3/read_mesh.h>
 
 #include <string>
@@ -50,7 +53,6 @@ void shapes(const std::string& file, int threads) {
     const Image_function f(std::move(image), smoothing(threads));
     const Cell_complex cells = make_implicit_cells(f, f.lattice(), extraction(threads));
     vertices = cells.points.size();
-    std::vector<Derivatives> derivatives(64);
     std::vector<Principal_quantities> found;
     found.reserve(vertices);
     Derivatives d;
@@ -128,6 +130,42 @@ void fit(const std::string& file) {
   errors.report();
 }
 
+void write(std::size_t vertices, const std::string& in, const std::string& out) {
+  const Extremal_mesh mesh = read_graphml(in);
+  const std::size_t copies = (vertices + mesh.number_of_vertices() - 1) / mesh.number_of_vertices();
+  std::vector<Extremal_mesh_vertex> many_vertices;
+  std::vector<Extremal_mesh_edge> many_edges;
+  std::vector<Extremal_mesh_cell> many_cells;
+  for (std::size_t copy = 0; copy < copies; ++copy) {
+    const auto of_copy = [&](std::size_t number) { return std::uint32_t(copy * number); };
+    const std::uint32_t v0 = of_copy(mesh.number_of_vertices()), e0 = of_copy(mesh.number_of_edges()),
+                        c0 = of_copy(mesh.number_of_cells());
+    for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+      for (Half_edge& h : many_vertices.emplace_back(mesh.vertex(v)).star)
+        h += 2 * e0;
+    for (std::size_t e = 0; e < mesh.number_of_edges(); ++e) {
+      Extremal_mesh_edge& edge = many_edges.emplace_back(mesh.edge(e));
+      edge.id += e0;
+      edge.source += v0;
+      edge.target += v0;
+      edge.left_cell += c0;
+      edge.right_cell += c0;
+    }
+    for (const Extremal_mesh_cell& cell : mesh.cells())
+      for (auto& walk : many_cells.emplace_back(cell).boundary)
+        for (Half_edge& h : walk)
+          h += 2 * e0;
+  }
+  const Extremal_mesh many(std::move(many_vertices), std::move(many_edges), std::move(many_cells), mesh.surface());
+  report(seconds_of([&] { write_graphml(out, many); }), many.number_of_vertices());
+}
+
+void read(const std::string& file) {
+  std::size_t vertices = 0;
+  const double seconds = seconds_of([&] { vertices = read_graphml(file).number_of_vertices(); });
+  report(seconds, vertices);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -146,6 +184,10 @@ int main(int argc, char** argv) {
     jets(std::stoi(arguments[1]), arguments[2], threads(3));
   else if (task == "fit" && arguments.size() == 2)
     fit(arguments[1]);
+  else if (task == "write" && arguments.size() == 4)
+    write(std::stoul(arguments[1]), arguments[2], arguments[3]);
+  else if (task == "read" && arguments.size() == 2)
+    read(arguments[1]);
   else
     return 2;
   return sum == 0.125 ? 3 : 0;
