@@ -27,18 +27,30 @@ constexpr std::size_t most_folded = std::size_t(1) << 14;
 /// Cubes, in order, of which it is soon known whether one is among them.
 class Cube_set {
 public:
+  explicit Cube_set(const Lattice& lattice) : rows_(lattice.size[1]), has_in_row_(rows_ * lattice.size[2], 0) {}
+  /// \param c  a cube of the lattice
   void insert(const Grid_cube& c) {
-    if (known_.insert(c).second)
-      cubes_.push_back(c);
+    if (!known_.insert(c).second)
+      return;
+    cubes_.push_back(c);
+    has_in_row_[row_of(c)] = 1;
   }
   void sort() { std::sort(cubes_.begin(), cubes_.end()); }
-  bool has(const Grid_cube& c) const { return known_.count(c) != 0; }
+  bool has(const Grid_cube& c) const {
+    return c.base[1] >= 0 && c.base[2] >= 0 && has_in_row_[row_of(c)] && known_.count(c) != 0;
+  }
   auto begin() const { return cubes_.begin(); }
   auto end() const { return cubes_.end(); }
 
 private:
+  std::size_t row_of(const Grid_cube& c) const {
+    return std::size_t(c.base[1] / Octree::unit) + rows_ * std::size_t(c.base[2] / Octree::unit);
+  }
+
   std::vector<Grid_cube> cubes_;
   std::unordered_set<Grid_cube, Grid_hash> known_;
+  std::size_t rows_;
+  std::vector<char> has_in_row_; ///< most rows have none: there is nothing to look up
 };
 
 class Folds {
@@ -147,7 +159,7 @@ private:
 
   /// the cubes of the lattice that are divided or touch a divided one.
   Cube_set cubes_to_weave() const {
-    Cube_set result;
+    Cube_set result(lattice_);
     for (const Grid_cube& c : tree_.divided_cubes())
       if (c.level == 0)
         for (const Grid_cube& n : tree_.around(c))
