@@ -57,18 +57,22 @@ class Comparison:
         memory = f"{peak[0] / 1e6:6.0f} {peak[1] / 1e6:6.0f}" if peak[0] else ""
         print(f"{what:58} {ours:9.4g} {theirs:9.4g} {ratio:7.3g}  {must:>5} {aim:>5}   {memory}", flush=True)
 
-    def pairs(self, what, ours, theirs, must, aim, whole=False, faster=True):
-        """compares times, in pairs of runs, after one that is not counted.
+    def against(self, theirs, rows):
+        """compares times, ours and theirs in turn, after a run of each of ours that is not counted.
 
-        faster: the ratio says how many times faster ours is; else how much of their time it takes."""
+        rows: (what, ours, must, aim, whole, faster); whole: of whole processes, not of what they say themselves; faster: the
+        ratio says how many times faster ours is, else how much of their time it takes."""
         if not self.has(theirs[0]):
             return
-        time = (lambda run: run.whole) if whole else (lambda run: run.seconds)
-        self.run(ours)
-        pairs = [(self.run(ours), self.run(theirs)) for _ in range(self.runs)]
-        a, b = (statistics.median(time(p[i]) for p in pairs) for i in (0, 1))
-        ratio = statistics.median(time(p[1]) / time(p[0]) if faster else time(p[0]) / time(p[1]) for p in pairs)
-        self.add(what, a, b, "s", ratio, must, aim, (pairs[0][0].peak, pairs[0][1].peak))
+        for _, ours, *_ in rows:
+            self.run(ours)
+        rounds = [(self.run(theirs), [self.run(row[1]) for row in rows]) for _ in range(self.runs)]
+        for i, (what, _, must, aim, whole, faster) in enumerate(rows):
+            time = (lambda run: run.whole) if whole else (lambda run: run.seconds)
+            pairs = [(time(ours[i]), time(their)) for their, ours in rounds]
+            ratio = statistics.median(b / a if faster else a / b for a, b in pairs)
+            self.add(what, *(statistics.median(pair[j] for pair in pairs) for j in (0, 1)), "s", ratio, must, aim,
+                     (rounds[0][1][i].peak, rounds[0][0].peak))
 
     def told(self, what, key, ours, theirs, must, aim):
         """compares what programs find out rather than their times."""
@@ -76,9 +80,9 @@ class Comparison:
             a, b = (self.run(command).told[key] for command in (ours, theirs))
             self.add(what, a, b, "", b / a, must, aim)
 
-    def alone(self, what, ours, unit, value, must="", aim=""):
-        """something that only ours has."""
-        value = statistics.median(value(self.run(ours)) for _ in range(self.runs))
+    def alone(self, what, ours, unit, value, must="", aim="", runs=1):
+        """something of one program: memory, or how its time grows."""
+        value = statistics.median(value(self.run(ours)) for _ in range(runs))
         self.rows.append({"what": what, "ours": value, "unit": unit, "must": must, "aim": aim})
         print(f"{what:58} {value:9.4g} {unit:17}  {must:>5} {aim:>5}", flush=True)
         return value
@@ -95,18 +99,21 @@ def images(c, size):
     extract = [c.extremal_mesh, "extract", "--threads", 1, "--quiet", "--iso", 500, "--sigma", 1.5]
     for name in ("clean", "noisy"):
         file, volume = f"{name}.mha", f"{name} {size}³"
-        c.pairs(f"{volume}: k, t, e, Φ at vertices / ITK's 20 volumes", ["ours", "shapes", file],
-                ["with_itk", "derivatives", file], "30", "70")
-        c.pairs(f"{volume}: whole process, file to GraphML / the same", [*extract, file, "-o", "out.graphml"],
-                ["with_itk", "derivatives", file], "20", "50", whole=True)
-        c.pairs(f"{volume}: extremal mesh / MarchingCubes, normals", ["ours", "mesh", file],
-                ["with_vtk", "marching_cubes", file], "≤ 2", "≤ 0.6", faster=False)
-        c.pairs(f"{volume}: polygonal cells / FlyingEdges3D", ["ours", "cells", file],
-                ["with_vtk", "flying_edges", file], "≤ 1.2", "≤ 0.5", faster=False)
+        c.against(["with_itk", "derivatives", file],
+                  [(f"{volume}: k, t, e, Φ at vertices / ITK's 20 volumes", ["ours", "shapes", file], "30", "70",
+                    False, True),
+                   (f"{volume}: whole process, file to GraphML / the same", [*extract, file, "-o", "out.graphml"], "20", "50",
+                    True, True)])
         c.alone(f"{volume}: peak memory, in float volumes", ["ours", "shapes", file], "",
                 lambda run: run.peak / floats, "≤ 3", "≤ 2.3")
         c.alone(f"{volume}: the same of the whole process", [*extract, file, "-o", "out.graphml"], "",
                 lambda run: run.peak / floats, "≤ 3", "≤ 2.3")
+    c.against(["with_vtk", "marching_cubes", "clean.mha"],
+              [(f"clean {size}³: extremal mesh / MarchingCubes, normals", ["ours", "mesh", "clean.mha"], "≤ 2", "≤ 0.6",
+                False, False)])
+    c.against(["with_vtk", "flying_edges", "clean.mha"],
+              [(f"clean {size}³: polygonal cells / FlyingEdges3D", ["ours", "cells", "clean.mha"], "≤ 1.2", "≤ 0.5",
+                False, False)])
     c.told("error of third derivatives / ITK's, linear between nodes", "error", ["ours", "accuracy"],
            ["with_itk", "accuracy"], "10", "30")
 
@@ -116,14 +123,15 @@ def meshes(c, sides):
     c.run(["make_inputs", "mesh", sides, "mesh.off"])
     name = f"mesh of {vertices}"
     for rings, points, must, aim in ((2, 19, "60", "120"), (6, 127, "40", "80")):
-        c.pairs(f"{name}: jets of {points} points / CGAL's", ["ours", "jets", rings, "mesh.off"],
-                ["with_cgal", "jets", rings, "mesh.off"], must, aim)
+        c.against(["with_cgal", "jets", rings, "mesh.off"],
+                  [(f"{name}: jets of {points} points / CGAL's", ["ours", "jets", rings, "mesh.off"], must, aim, False,
+                    True)])
     for what in ("k", "e"):
         c.told(f"{name}: error of {what}, 19 points / CGAL's", f"error of {what}", ["ours", "fit", "mesh.off"],
                ["with_cgal", "fit", "mesh.off"], "1", "")
     extract = [c.extremal_mesh, "extract", "--threads", 1, "--quiet", "--rings", 2, "mesh.off", "-o", "out.graphml"]
-    c.pairs(f"{name}: whole process / jets, ridges, umbilics", extract, ["with_cgal", "ridges", "mesh.off"], "40", "80",
-            whole=True)
+    c.against(["with_cgal", "ridges", "mesh.off"],
+              [(f"{name}: whole process / jets, ridges, umbilics", extract, "40", "80", True, True)])
     c.alone(f"{name}: bytes a vertex, jets", ["ours", "jets", 2, "mesh.off"], "bytes", lambda run: run.peak / vertices,
             "≤ 350", "≤ 220")
     if c.has("with_cgal"):
@@ -142,6 +150,13 @@ def growth(c, sizes, sides):
                 lambda run: run.seconds)
 
 
+def graphs(c, vertices):
+    c.run([c.extremal_mesh, "extract", "--quiet", "--iso", 500, "--sigma", 1.5, "noisy.mha", "-o", "noisy.graphml"])
+    c.alone(f"writing GraphML of {vertices} vertices", ["ours", "write", vertices, "noisy.graphml", "many.graphml"], "s",
+            lambda run: run.seconds)
+    c.alone("reading it", ["ours", "read", "many.graphml"], "s", lambda run: run.seconds)
+
+
 def threads(c):
     wall = []
     for n in (1, 2):
@@ -158,7 +173,7 @@ def formula(c, resolutions):
     text = "x^2/9 + y^2/4 + z^2 - 1 + 0.1*(sin(3*x+1)*sin(4*y)+sin(5*z)*sin(2*x))"
     times = [c.alone(f"formula at resolution {r}", [c.extremal_mesh, "extract", "--threads", 1, "--quiet", "--formula", text,
                                                      "--box", -4, -3, -2, 4, 3, 2, "--resolution", r, "-o", "out.graphml"],
-                     "s", lambda run: run.whole) for r in resolutions]
+                     "s", lambda run: run.whole, runs=c.runs) for r in resolutions]
     c.ratio(f"resolution {resolutions[1]} / {resolutions[0]}", times[1] / times[0], "≤ 4.5")
 
 
@@ -175,7 +190,7 @@ def main():
     parser.add_argument("--runs", type=int, default=5, help="pairs of runs of which the median is taken")
     parser.add_argument("--size", type=int, default=256, help="voxels on a side of the volumes")
     parser.add_argument("--sides", type=int, default=100, help="of the mesh, which has 10 N² + 2 vertices")
-    parser.add_argument("--quick", action="store_true", help="leave out how cost grows")
+    parser.add_argument("--quick", action="store_true", help="leave out what is large")
     arguments = parser.parse_args()
     print(f"{machine()}. CPU seconds, medians of {arguments.runs} pairs of runs.")
     with tempfile.TemporaryDirectory() as folder:
@@ -185,6 +200,7 @@ def main():
         threads(c)
         formula(c, (128, 256) if arguments.quick else (512, 1024))
         if not arguments.quick:
+            graphs(c, 500000)
             growth(c, (128, 256, 384, 512, 768), (32, 100, 316))
     if arguments.csv:
         with open(arguments.csv, "w", newline="", encoding="utf-8") as file:

@@ -59,11 +59,22 @@ Point on_surface(const Point& direction) {
 void write_mesh(std::uint32_t sides, const std::string& file) {
   // An icosahedron, each of whose triangles is divided into sides² ones.
   const double a = 0.5 * (1 + std::sqrt(5.0));
-  const std::array<Point, 12> corner{{{-1, a, 0}, {1, a, 0}, {-1, -a, 0}, {1, -a, 0}, {0, -1, a}, {0, 1, a},
-                                      {0, -1, -a}, {0, 1, -a}, {a, 0, -1}, {a, 0, 1}, {-a, 0, -1}, {-a, 0, 1}}};
+  const std::array<Point, 12> corner{{{-1, a, 0},
+                                      {1, a, 0},
+                                      {-1, -a, 0},
+                                      {1, -a, 0},
+                                      {0, -1, a},
+                                      {0, 1, a},
+                                      {0, -1, -a},
+                                      {0, 1, -a},
+                                      {a, 0, -1},
+                                      {a, 0, 1},
+                                      {-a, 0, -1},
+                                      {-a, 0, 1}}};
   constexpr std::array<std::array<std::uint32_t, 3>, 20> faces{
-      {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-       {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
+      {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+       {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+       {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
   std::vector<Point> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   // A vertex by the corners around it and its shares of them: faces beside each other have those on their edge in common.

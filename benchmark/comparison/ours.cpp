@@ -70,8 +70,8 @@ void shapes(const std::string& file, int threads) {
 void cells(const std::string& file, int threads) {
   const Image_function f(read_image(file), smoothing(threads));
   std::size_t vertices = 0;
-  const double seconds = seconds_of(
-      [&] { vertices = make_implicit_cells(f, f.lattice(), extraction(threads)).points.size(); });
+  const double seconds =
+      seconds_of([&] { vertices = make_implicit_cells(f, f.lattice(), extraction(threads)).points.size(); });
   report(seconds, vertices);
 }
 

@@ -67,8 +67,8 @@ template <class Visit> void fit(Mesh& mesh, int rings, const Visit& visit) {
 
 void jets(int rings, const std::string& file) {
   Mesh mesh = read(file);
-  const double seconds =
-      seconds_of([&] { fit(mesh, rings, [](Vertex, const Monge& monge) { sum += monge.third_order_coefficients(0); }); });
+  const double seconds = seconds_of(
+      [&] { fit(mesh, rings, [](Vertex, const Monge& monge) { sum += monge.third_order_coefficients(0); }); });
   report(seconds, mesh.number_of_vertices());
 }
 
@@ -78,10 +78,10 @@ void errors_of_fit(const std::string& file) {
   fit(mesh, 2, [&](Vertex v, const Monge& monge) {
     const Kernel::Point_3& p = mesh.point(v);
     const auto vector = [](const Kernel::Vector_3& d) { return CGAL::Extremal_mesh_3::Vector{d.x(), d.y(), d.z()}; };
-    errors.add({p.x(), p.y(), p.z()}, {monge.principal_curvatures(0), monge.principal_curvatures(1),
-                                       vector(monge.maximal_principal_direction()),
-                                       vector(monge.minimal_principal_direction()), monge.third_order_coefficients(0),
-                                       monge.third_order_coefficients(3)});
+    errors.add({p.x(), p.y(), p.z()},
+               {monge.principal_curvatures(0), monge.principal_curvatures(1),
+                vector(monge.maximal_principal_direction()), vector(monge.minimal_principal_direction()),
+                monge.third_order_coefficients(0), monge.third_order_coefficients(3)});
   });
   errors.report();
 }

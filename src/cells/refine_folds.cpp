@@ -183,7 +183,11 @@ private:
   void take(const Cube_set& cubes, const Octree_weaver& weaver) {
     is_woven_anew_ = true;
     woven_ = {};
+    woven_.points.reserve(coarse_.points.size() + weaver.new_cut_edges.size());
     woven_.points = coarse_.points;
+    woven_.corners.reserve(coarse_.corners.size() + weaver.corners.size());
+    woven_.polygon_begin.reserve(coarse_.polygon_begin.size() + weaver.polygon_cubes.size());
+    woven_.cubes.reserve(coarse_.cubes.size() + weaver.polygon_cubes.size());
     normals_.resize(coarse_.points.size());
     for (std::size_t i = 0; i < coarse_.cubes.size(); ++i) {
       if (cubes.has(coarse_.cubes[i]))
