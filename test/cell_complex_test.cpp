@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Extremal_mesh_3/Cell_complex.h>
+#include <CGAL/Extremal_mesh_3/errors.h>
+#include <CGAL/Extremal_mesh_3/keep_components.h>
 
 #include <gtest/gtest.h>
 
@@ -144,4 +146,34 @@ TEST(Cell_complex, refuses_lists_that_do_not_fit) {
   EXPECT_THROW(make_cell_complex(points, {1, 3}, {0, 1, 2}), std::invalid_argument);
   EXPECT_THROW(make_cell_complex(points, {}, {}), std::invalid_argument);
   EXPECT_THROW(make_cell_complex(points, {0, 3, 1, 3}, {0, 1, 2}), std::invalid_argument);
+}
+
+namespace {
+
+/// A triangle of area ½, one of area 2, and two that share an edge, of area 1 together.
+Cell_complex three_components() {
+  return make_cell_complex(
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {7, 0, 0}, {5, 2, 0}, {0, 5, 0}, {1, 5, 0}, {1, 6, 0}, {0, 6, 0}},
+      {0, 3, 6, 9, 12}, {6, 7, 8, 0, 1, 2, 6, 8, 9, 3, 4, 5});
+}
+
+} // namespace
+
+TEST(Keep_components, keeps_the_largest) {
+  const Cell_complex c = keep_components(three_components(), {.largest = true});
+  EXPECT_EQ(c.points, (std::vector<Point>{{5, 0, 0}, {7, 0, 0}, {5, 2, 0}}));
+  EXPECT_EQ(c.number_of_cells(), 1U);
+}
+
+TEST(Keep_components, keeps_those_of_an_area) {
+  const Cell_complex c = keep_components(three_components(), {.min_area = 0.75});
+  EXPECT_EQ(c.number_of_cells(), 3U);
+  EXPECT_EQ(c.points.size(), 7U);
+  EXPECT_EQ(keep_components(three_components(), {.min_area = 0.25}).number_of_cells(), 4U);
+  EXPECT_EQ(keep_components(three_components(), {}).points.size(), 10U);
+}
+
+TEST(Keep_components, refuses_to_leave_nothing) {
+  EXPECT_THROW(keep_components(three_components(), {.min_area = 3}), Extraction_error);
+  EXPECT_THROW(keep_components(three_components(), {.min_area = -1}), std::invalid_argument);
 }

@@ -210,6 +210,20 @@ TEST(Formula_evaluation, gives_the_same_bits_on_a_lattice) {
   }
 }
 
+TEST(Formula_evaluation, gives_the_same_bits_on_parts_of_a_lattice) {
+  const Lattice lattice{{-1, -0.9, 0.1}, {{{0.1, 0.01, 0}, {-0.02, 0.13, 0}, {0, 0.003, 0.3}}}, {90, 4, 3}};
+  const Formula formula("sin(3*x)*y + exp(z) - x^2");
+  std::vector<double> whole(lattice.size[0] * lattice.size[1]), parts(whole.size(), 0);
+  formula.lattice_values(lattice, 1, whole.data());
+  const std::vector<Row_part> rows{{0, 3, 80}, {2, 0, 1}, {2, 50, 90}};
+  formula.lattice_values(lattice, 1, rows, parts.data());
+  std::vector<double> expected(whole.size(), 0);
+  for (const Row_part& part : rows)
+    for (std::size_t i = part.first; i < part.last; ++i)
+      expected[part.j * 90 + i] = whole[part.j * 90 + i];
+  EXPECT_EQ(bits(parts), bits(expected));
+}
+
 TEST(Formula_evaluation, gives_the_same_bits_with_special_values) {
   // kinks, borders of domains, zeros of both signs, infinities
   const std::vector<std::string> texts{"sqrt(x)", "log(x)*y", "min(x, y)", "max(x, y, z)", "abs(x)",      "-x*y",

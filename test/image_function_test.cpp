@@ -364,6 +364,51 @@ TEST(Image_function, gives_its_values_at_the_nodes_of_its_lattice) {
   }
 }
 
+TEST(Image_function, knows_its_values_half_way_between_nodes) {
+  const Lattice lattice{{5, -3, 2}, {{{1, 0, 0}, {0, 0, 1}, {0, 1.5, 0}}}, {12, 5, 4}};
+  for (int degree : {5, 7}) {
+    const Image_function f(noise(lattice), options_with(1.7, degree));
+    std::array<double, 27> values;
+    for (const std::array<std::size_t, 3>& cube : {std::array<std::size_t, 3>{0, 0, 0}, {4, 2, 1}, {10, 3, 2}}) {
+      ASSERT_TRUE(f.half_step_values(lattice, cube, values));
+      for (std::size_t i = 0; i < 27; ++i)
+        EXPECT_NEAR(
+            values[i],
+            f.value(lattice.node(double(cube[0]) + 0.5 * double(i % 3), double(cube[1]) + 0.5 * double(i / 3 % 3),
+                                 double(cube[2]) + 0.5 * double(i / 9))),
+            1e-10); // rounding of values up to 1000
+    }
+    EXPECT_FALSE(f.half_step_values(cubic_lattice(12), {0, 0, 0}, values));
+  }
+}
+
+TEST(Image_function, finds_roots_on_the_edges_of_its_lattice) {
+  const Lattice lattice{{5, -3, 2}, {{{1, 0, 0}, {0, 0, 1}, {0, 1.5, 0}}}, {12, 9, 7}};
+  for (int degree : {5, 7}) {
+    const Image_function f(noise(lattice), options_with(1.7, degree));
+    std::array<std::size_t, 3> found{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::size_t k = 0; k + 1 < 7; ++k)
+        for (std::size_t j = 0; j + 1 < 9; ++j)
+          for (std::size_t i = 0; i + 1 < 12; ++i) {
+            const auto at = [&](double t) {
+              return lattice.node(double(i) + (axis == 0 ? t : 0), double(j) + (axis == 1 ? t : 0),
+                                  double(k) + (axis == 2 ? t : 0));
+            };
+            const double v0 = f.value(at(0)), v1 = f.value(at(1));
+            if ((v0 >= 0) == (v1 >= 0))
+              continue;
+            const auto t = f.root_on_edge(lattice, {i, j, k}, axis, v0, v1);
+            ASSERT_TRUE(t);
+            EXPECT_TRUE(*t >= 0 && *t <= 1);
+            EXPECT_NEAR(f.value(at(*t)), 0, 1e-10); // rounding of values up to 1000
+            ++found[axis];
+          }
+    EXPECT_TRUE(found[0] > 9 && found[1] > 9 && found[2] > 9);
+    EXPECT_FALSE(f.root_on_edge(cubic_lattice(12), {0, 0, 0}, 0, -1, 1));
+  }
+}
+
 TEST(Image_function, gives_its_values_at_the_nodes_of_another_lattice) {
   const Image_function f(noise(cubic_lattice(20)), options_with(1.5));
   const Lattice other{{3.1, 4.2, 5.3}, {{{0.3, 0, 0}, {0, 0.4, 0}, {0, 0, 0.5}}}, {5, 4, 3}};

@@ -3,6 +3,7 @@
 //
 // What is compiled for several kinds of processors must be the same on each.
 #include "../src/fitting/Jet_sums.h"
+#include "../src/images/lanes.h"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +14,11 @@
 
 using namespace CGAL::Extremal_mesh_3;
 
-TEST(Jet_sums, are_the_same_bits_with_AVX2_as_without) {
-#ifdef __x86_64__
-  if (!__builtin_cpu_supports("avx2"))
-    GTEST_SKIP() << "this processor has no AVX2";
+namespace {
+
+using Sum_up = void (*)(const Wide_point*, std::size_t, Jet_sums&);
+
+void expect_the_same_bits_as_anywhere(Sum_up sum_up) {
   std::mt19937 random(1);
   const auto uniform = [&] { return double(random()) / 2147483648.0 - 1; };
   for (const std::size_t count : {1, 14, 15, 16, 19, 40, 300}) {
@@ -30,7 +32,7 @@ TEST(Jet_sums, are_the_same_bits_with_AVX2_as_without) {
       }
     Jet_sums a, b;
     sum_up_anywhere(points.data(), count, a);
-    sum_up_with_avx2(points.data(), count, b);
+    sum_up(points.data(), count, b);
     for (std::size_t l = 0; l < lanes; ++l) {
       EXPECT_EQ(a.least_pivot[l] > 1e-11, count >= jet_size && (l == 0 || l == 3));
       if (!(a.least_pivot[l] > 1e-11))
@@ -47,7 +49,22 @@ TEST(Jet_sums, are_the_same_bits_with_AVX2_as_without) {
       expect_same(a.weight2, b.weight2);
     }
   }
-#else
-  GTEST_SKIP() << "there is one kind of processor only";
-#endif
 }
+
+} // namespace
+
+#ifdef __x86_64__
+
+TEST(Jet_sums, are_the_same_bits_with_AVX2_as_without) {
+  if (!__builtin_cpu_supports("avx2"))
+    GTEST_SKIP() << "this processor has no AVX2";
+  expect_the_same_bits_as_anywhere(sum_up_with_avx2);
+}
+
+TEST(Jet_sums, are_the_same_bits_with_AVX_512_as_without) {
+  if (!internal::has_avx512())
+    GTEST_SKIP() << "this processor has no AVX-512";
+  expect_the_same_bits_as_anywhere(sum_up_with_avx512);
+}
+
+#endif

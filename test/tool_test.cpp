@@ -342,6 +342,9 @@ TEST_F(Tool, wrong_command_lines_exit_with_2) {
   refusal(ellipsoid + "--max-level 1000", 2);
   EXPECT_TRUE(contains(refusal(ellipsoid + "--line-tolerance -0.1", 2), "the line tolerance is -0.1"));
   refusal(ellipsoid + "--line-tolerance nan", 2);
+  refusal(ellipsoid + "--min-area -1", 2);
+  refusal(ellipsoid + "--min-area 1 --largest", 2);
+  EXPECT_TRUE(contains(refusal(ellipsoid + "--min-area 1000", 1), "no component"));
   refusal(ellipsoid + "--line-tolerance inf", 2);
   refusal(ellipsoid + "--line-tolerance small", 2);
 }

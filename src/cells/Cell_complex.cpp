@@ -14,9 +14,9 @@ namespace {
 
 /// One side of one polygon.
 struct Side {
-  std::uint32_t low, high; // the two points, ordered
-  bool reversed;           // the polygon runs from high to low
-  std::size_t position;    // in the list of corners
+  std::uint32_t low = 0, high = 0; // the two points, ordered
+  std::uint32_t position = 0;      // in the list of corners
+  bool reversed = false;           // the polygon runs from high to low
 };
 
 void check_polygons(std::size_t points, const std::vector<std::size_t>& begin,
@@ -40,19 +40,45 @@ void check_polygons(std::size_t points, const std::vector<std::size_t>& begin,
   }
 }
 
+/// the sides of all polygons, by their points and positions: counted by the lower point, of which each has few.
+std::vector<Side> sorted_sides(std::size_t points, const std::vector<std::size_t>& polygon_begin,
+                               const std::vector<std::uint32_t>& corners) {
+  const auto for_each_side = [&](const auto& visit) {
+    for (std::size_t c = 0; c + 1 < polygon_begin.size(); ++c)
+      for (std::size_t p = polygon_begin[c]; p < polygon_begin[c + 1]; ++p) {
+        const std::uint32_t a = corners[p], b = corners[p + 1 < polygon_begin[c + 1] ? p + 1 : polygon_begin[c]];
+        visit(Side{std::min(a, b), std::max(a, b), std::uint32_t(p), a > b});
+      }
+  };
+  std::vector<std::uint32_t> end(points + 1, 0); // of the sides at each point, when all are there
+  for_each_side([&](const Side& s) { ++end[s.low + 1]; });
+  for (std::size_t p = 0; p < points; ++p)
+    end[p + 1] += end[p];
+  std::vector<Side> sides(corners.size());
+  for_each_side([&](const Side& s) { sides[end[s.low]++] = s; });
+  for (std::size_t p = 0; p < points; ++p)
+    std::sort(sides.begin() + std::ptrdiff_t(p == 0 ? 0 : end[p - 1]), sides.begin() + std::ptrdiff_t(end[p]),
+              [](const Side& a, const Side& b) { return std::tie(a.high, a.position) < std::tie(b.high, b.position); });
+  return sides;
+}
+
 /// checks that the cells around every point form one fan, open at the border or closed.
-void check_fans(const Cell_complex& c, const std::vector<std::size_t>& cell_of) {
-  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> position(2 * c.edges.size(), none); // of each half-edge
-  std::vector<std::size_t> corners(c.points.size(), 0), start(c.points.size(), none);
+void check_fans(const Cell_complex& c) {
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> position(2 * c.edges.size(), none); // of each half-edge
+  std::vector<std::uint32_t> corners(c.points.size(), 0), start(c.points.size(), none);
   for (std::size_t p = 0; p < c.half_edges.size(); ++p) {
-    position[c.half_edges[p]] = p;
+    position[c.half_edges[p]] = std::uint32_t(p);
     const std::uint32_t v = c.source(c.half_edges[p]);
     ++corners[v];
-    start[v] = p;
+    start[v] = std::uint32_t(p);
   }
+  const auto cell_of = [&](std::size_t p) {
+    const std::uint32_t h = c.half_edges[p];
+    return std::size_t(c.edge_cells[h / 2][h % 2]);
+  };
   const auto previous = [&](std::size_t p) {
-    const std::size_t cell = cell_of[p];
+    const std::size_t cell = cell_of(p);
     return p == c.cell_begin[cell] ? c.cell_begin[cell + 1] - 1 : p - 1;
   };
   for (std::size_t v = 0; v < c.points.size(); ++v) {
@@ -70,7 +96,7 @@ void check_fans(const Cell_complex& c, const std::vector<std::size_t>& cell_of) 
     if (p == none)
       for (p = position[c.half_edges[start[v]] ^ 1U]; p != none;) {
         ++met;
-        const std::size_t cell = cell_of[p];
+        const std::size_t cell = cell_of(p);
         const std::size_t next = p + 1 == c.cell_begin[cell + 1] ? c.cell_begin[cell] : p + 1;
         p = position[c.half_edges[next] ^ 1U];
       }
@@ -84,20 +110,7 @@ void check_fans(const Cell_complex& c, const std::vector<std::size_t>& cell_of) 
 Cell_complex make_cell_complex(std::vector<Point> points, const std::vector<std::size_t>& polygon_begin,
                                const std::vector<std::uint32_t>& corners) {
   check_polygons(points.size(), polygon_begin, corners);
-  const std::size_t cells = polygon_begin.size() - 1;
-
-  std::vector<Side> sides(corners.size());
-  std::vector<std::size_t> cell_of(corners.size());
-  for (std::size_t c = 0; c < cells; ++c)
-    for (std::size_t p = polygon_begin[c]; p < polygon_begin[c + 1]; ++p) {
-      const std::uint32_t a = corners[p], b = corners[p + 1 < polygon_begin[c + 1] ? p + 1 : polygon_begin[c]];
-      sides[p] = {std::min(a, b), std::max(a, b), a > b, p};
-      cell_of[p] = c;
-    }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.position) < std::tie(b.low, b.high, b.position);
-  });
-
+  std::vector<Side> sides = sorted_sides(points.size(), polygon_begin, corners);
   // Sides of the same two points are neighbours now; the first of a group owns the edge.
   std::vector<std::uint32_t> partner(corners.size()); // position of the owner of the edge
   for (std::size_t i = 0; i < sides.size();) {
@@ -111,16 +124,24 @@ Cell_complex make_cell_complex(std::vector<Point> points, const std::vector<std:
                     : fmt::format("the two polygons at the edge between points {} and {} are oriented differently",
                                   sides[i].low, sides[i].high));
     for (std::size_t k = i; k < j; ++k)
-      partner[sides[k].position] = std::uint32_t(sides[i].position);
+      partner[sides[k].position] = sides[i].position;
     i = j;
   }
+
+  sides = {};
 
   Cell_complex complex;
   complex.points = std::move(points);
   complex.cell_begin = polygon_begin;
   complex.half_edges.resize(corners.size());
-  for (std::size_t p = 0; p < corners.size(); ++p) {
-    const std::size_t cell = cell_of[p];
+  std::size_t edges = 0;
+  for (std::size_t p = 0; p < corners.size(); ++p)
+    edges += partner[p] == p;
+  complex.edges.reserve(edges);
+  complex.edge_cells.reserve(edges);
+  for (std::size_t p = 0, cell = 0; p < corners.size(); ++p) {
+    while (p == polygon_begin[cell + 1])
+      ++cell;
     if (partner[p] == p) {
       const std::uint32_t b = corners[p + 1 < polygon_begin[cell + 1] ? p + 1 : polygon_begin[cell]];
       complex.half_edges[p] = std::uint32_t(2 * complex.edges.size());
@@ -131,7 +152,8 @@ Cell_complex make_cell_complex(std::vector<Point> points, const std::vector<std:
       complex.edge_cells[complex.half_edges[p] / 2][1] = std::int32_t(cell);
     }
   }
-  check_fans(complex, cell_of);
+  partner = {};
+  check_fans(complex);
   return complex;
 }
 

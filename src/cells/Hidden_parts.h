@@ -4,11 +4,12 @@
 #define EXTREMAL_MESH_3_SRC_CELLS_HIDDEN_PARTS_H
 
 #include "Octree.h"
+#include "Slices.h"
 #include "parallel.h"
 
 #include <CGAL/Extremal_mesh_3/Function_3.h>
 
-#include <deque>
+#include <vector>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -18,23 +19,21 @@ class Hidden_parts {
 public:
   explicit Hidden_parts(const Lattice& lattice) : lattice_(lattice) {}
 
-  /// looks at the cubes between slices of the lattice, given one after the other: where values change by the second
-  /// differences that those around have, do they reach 0 inside of a cube without a change of sign?
-  void add_slice(const double* values);
-  /// after the last slice.
-  void end_slices();
+  /// looks at the cubes between slices of the lattice: where values change by the second differences that those around
+  /// have, do they reach 0 inside of a cube without a change of sign?
+  /// \param first  the first slice that is new since the last time
+  void look(std::size_t first, const Slices& slices, Thread_pool& pool);
 
-  /// divides the suspects of `add_slice()` in which f does change its sign, and the cubes that the surface is known to
+  /// divides the suspects of `look()` in which f does change its sign, and the cubes that the surface is known to
   /// meet in which it does so twice between nodes: on an edge or in a face.
   /// \param cubes  in which there are polygons
   void divide(const Function_3& f, const std::vector<Grid_cube>& cubes, Thread_pool& pool, Octree& tree) const;
 
 private:
-  void look_between(const double* before, const double* low, const double* high, const double* after);
+  /// the suspects between slices k and k + 1.
+  std::vector<Grid_cube> suspects_between(const Slices& slices, std::size_t k) const;
 
   const Lattice& lattice_;
-  std::deque<std::vector<double>> slices_; ///< the last ones, at most 4
-  std::int64_t next_layer_ = 0;
   std::vector<Grid_cube> suspects_;
 };
 

@@ -4,7 +4,11 @@
 
 #include "../differential/vector.h"
 
+#include <CGAL/Extremal_mesh_3/internal/interval_arithmetic.h>
+
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -19,6 +23,20 @@ bool plus_corners_joined(const Function_3& f, const Lattice& lattice, const std:
     at[a] = base[a] + x * s[a] + y * t[a];
   const double middle = f.value(lattice.node(at[0], at[1], at[2]));
   return std::isfinite(middle) ? middle >= 0 : v00 * v11 - v10 * v01 >= 0;
+}
+
+Box_3 box_around(const Lattice& lattice, const std::array<double, 3>& low, const std::array<double, 3>& high) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Box_3 box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const Point p =
+        lattice.node(corner & 1 ? high[0] : low[0], corner & 2 ? high[1] : low[1], corner & 4 ? high[2] : low[2]);
+    for (std::size_t a = 0; a < 3; ++a) {
+      box.low[a] = std::min(box.low[a], internal::below(p[a]));
+      box.high[a] = std::max(box.high[a], internal::above(p[a]));
+    }
+  }
+  return box;
 }
 
 bool is_left_handed(const Lattice& lattice) {

@@ -37,6 +37,10 @@ bool plus_corners_joined(const Function_3& f, const Lattice& lattice, const std:
                          const std::array<double, 3>& base, const std::array<double, 3>& s,
                          const std::array<double, 3>& t);
 
+/// the axis-parallel box around a part of a lattice, rounded outwards.
+/// \param low,high  its opposite corners, in steps of the lattice
+Box_3 box_around(const Lattice& lattice, const std::array<double, 3>& low, const std::array<double, 3>& high);
+
 bool is_left_handed(const Lattice& lattice);
 
 } // namespace CGAL::Extremal_mesh_3

@@ -5,6 +5,8 @@
 // only near what bends much are single cubes looked at.
 #include "prove_surface.h"
 
+#include "cube.h"
+
 #include "../functions/sharp_bounds.h"
 
 #include <CGAL/Extremal_mesh_3/internal/interval_arithmetic.h>
@@ -98,27 +100,21 @@ private:
 
   /// the axis-parallel box around a block's corners, as far as they are in the lattice.
   Box_3 box_of(const Block& b) const {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Box_3 box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      Grid_point at;
-      for (std::size_t a = 0; a < 3; ++a)
-        at[a] = std::min(size_[a], b.base[a] + (corner >> a & 1U) * b.side);
-      const Point p = node(at);
-      for (std::size_t a = 0; a < 3; ++a) {
-        box.low[a] = std::min(box.low[a], internal::below(p[a]));
-        box.high[a] = std::max(box.high[a], internal::above(p[a]));
-      }
+    constexpr double unit(Octree::unit);
+    std::array<double, 3> low, high;
+    for (std::size_t a = 0; a < 3; ++a) {
+      low[a] = double(b.base[a]) / unit;
+      high[a] = double(std::min(size_[a], b.base[a] + b.side)) / unit;
     }
-    return box;
+    return box_around(lattice_, low, high);
   }
 
   /// tells whether any two gradients, taken in steps of the lattice, make an angle below 90°.
   bool keeps_direction(const std::array<Interval, 3>& gradient) const {
     Interval product;
     for (std::size_t a = 0; a < 3; ++a) {
-      const Interval along = lattice_.step[a][0] * gradient[0] + lattice_.step[a][1] * gradient[1] +
-                             lattice_.step[a][2] * gradient[2];
+      const Interval along =
+          lattice_.step[a][0] * gradient[0] + lattice_.step[a][1] * gradient[1] + lattice_.step[a][2] * gradient[2];
       product = product + along * along;
     }
     return product.low > 0;

@@ -3,6 +3,7 @@
 #include "surface_points.h"
 
 #include "../differential/vector.h"
+#include "../functions/root_in_bracket.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,26 +11,26 @@
 namespace CGAL::Extremal_mesh_3 {
 
 double root_on_edge(const Function_3& f, const Point& p, const Vector& step, double v0, double v1) {
-  double low = 0, high = 1, t = v0 / (v0 - v1);
-  const bool rising = v1 >= 0;
   Derivatives d;
-  for (int i = 0; i < 100; ++i) {
+  return root_in_bracket(v0, v1, [&](double t) {
     f.derivatives(p + t * step, 1, d);
-    if (!std::isfinite(d.value))
-      return t;
-    if (d.value == 0)
-      return t;
-    ((d.value >= 0) == rising ? high : low) = t;
-    const double slope = dot(d.gradient, step);
-    double next = t - d.value / slope;
-    if (!(next > low && next < high))
-      next = low + (high - low) / 2;
-    if (std::abs(next - t) < 4e-16 || high - low < 4e-16)
-      return next;
-    t = next;
-  }
-  return t;
+    return std::pair(d.value, dot(d.gradient, step));
+  });
 }
+
+namespace {
+
+double root_on(const Function_3& f, const Lattice& lattice, const Cut_edge& edge, const Point& p, const Vector& step) {
+  if (edge.length == 1) {
+    const std::array<std::size_t, 3> node{std::size_t(edge.node[0]), std::size_t(edge.node[1]),
+                                          std::size_t(edge.node[2])};
+    if (const auto t = f.root_on_edge(lattice, node, edge.axis, edge.value0, edge.value1))
+      return *t;
+  }
+  return root_on_edge(f, p, step, edge.value0, edge.value1);
+}
+
+} // namespace
 
 std::optional<Point> project(const Function_3& f, const Point& x, const Vector& direction, double reach) {
   Derivatives d;
@@ -57,7 +58,7 @@ Point surface_point(const Function_3& f, const Lattice& lattice, const Cut_edge&
   constexpr double margin = 0.02;
   const Point p = lattice.node(edge.node[0], edge.node[1], edge.node[2]);
   const Vector step = edge.length * lattice.step[edge.axis];
-  const double t = root_on_edge(f, p, step, edge.value0, edge.value1);
+  const double t = root_on(f, lattice, edge, p, step);
   const double moved = std::clamp(t, margin, 1 - margin);
   if (moved != t) {
     const Point beside = p + moved * step;

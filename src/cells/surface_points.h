@@ -19,7 +19,7 @@ struct Cut_edge {
   double value0, value1; ///< at the two ends
 };
 
-/// the root of f on p + t·step, 0 ≤ t ≤ 1, where f has the signs of v0 and v1 at the ends: Newton, kept in a bracket.
+/// the root of f on p + t·step, 0 ≤ t ≤ 1, where f has the signs of v0 and v1 at the ends.
 double root_on_edge(const Function_3& f, const Point& p, const Vector& step, double v0, double v1);
 
 /// a point of the surface on the edge, found on the function itself. Where it is very near to a node, a

@@ -87,8 +87,8 @@ namespace {
 
 /// the second derivative of the normal curvature along the geodesic γ that leaves in the direction t, at the angle θ
 /// from u: from f(γ(s)) = 0 differentiated four times; γ'' = k n, n' = −L(t) there.
-double along_geodesic(const Derivatives& d, const Local_shape& s, double theta) {
-  const Complex w = std::polar(1.0, theta);
+/// \param w  e^{iθ}
+double along_geodesic(const Derivatives& d, const Local_shape& s, const Complex& w) {
   const Vector v = s.v(), t = w.real() * s.u + w.imag() * v;
   const Complex Qw = s.Q * std::conj(w); // L(t, ·) = H t + Q w̄ as a complex number
   const Vector Lt = s.H * t + Qw.real() * s.u + Qw.imag() * v;
@@ -119,18 +119,29 @@ double principal_angle(const Local_shape& s, int family) {
 } // namespace
 
 double extremality_derivative(const Derivatives& d, const Local_shape& s, int family) {
-  return along_line_of_curvature(s, along_geodesic(d, s, principal_angle(s, family)), family);
+  return along_line_of_curvature(s, along_geodesic(d, s, std::polar(1.0, principal_angle(s, family))), family);
 }
 
 Fourth_order_form fourth_order_form(const Derivatives& d, const Local_shape& s) {
   // A trigonometric polynomial in 2θ of degree 2 is known from five values.
   constexpr int n = 5;
+  struct Angle {
+    Complex w, w2, w4; // e^{iθ}, e^{2iθ}, e^{4iθ}
+  };
+  static const std::array<Angle, n> angles = [] {
+    std::array<Angle, n> result;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double theta = double(i) * std::numbers::pi / n;
+      result[i] = {std::polar(1.0, theta), std::polar(1.0, 2 * theta), std::polar(1.0, 4 * theta)};
+    }
+    return result;
+  }();
   Fourth_order_form form;
-  for (int i = 0; i < n; ++i) {
-    const double theta = i * std::numbers::pi / n, D = along_geodesic(d, s, theta);
+  for (const auto& [w, w2, w4] : angles) {
+    const double D = along_geodesic(d, s, w);
     form.D0 += D / n;
-    form.D2 += 2 * D / n * std::polar(1.0, 2 * theta);
-    form.D4 += 2 * D / n * std::polar(1.0, 4 * theta);
+    form.D2 += 2 * D / n * w2;
+    form.D4 += 2 * D / n * w4;
   }
   return form;
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Jet_batch.h"
 
+#include "../images/lanes.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,8 +16,10 @@ namespace {
 constexpr double least_pivot = 1e-11;
 
 void sum_up(const Wide_point* points, std::size_t count, Jet_sums& sums) {
-#ifdef EXTREMAL_MESH_3_HAS_AVX2_SOURCES
-  static const bool has_avx2 = __builtin_cpu_supports("avx2");
+#ifdef EXTREMAL_MESH_3_HAS_AVX_SOURCES
+  static const bool has_avx2 = __builtin_cpu_supports("avx2"), has_avx512 = internal::has_avx512();
+  if (has_avx512)
+    return sum_up_with_avx512(points, count, sums);
   if (has_avx2)
     return sum_up_with_avx2(points, count, sums);
 #endif

@@ -38,10 +38,11 @@ struct alignas(8 * lanes) Jet_sums {
   Wide square;                          ///< weighted sum of the squares of the residuals
 };
 
-/// The same function, compiled for any processor and for those with AVX2. The results are equal to the last bit:
-/// there is no fused multiplication and addition in either.
+/// The same function, compiled for any processor, for those with AVX2 and for those with AVX-512, whose vectors are as wide but
+/// twice as many. The results are equal to the last bit: there is no fused multiplication and addition in any.
 void sum_up_anywhere(const Wide_point* points, std::size_t count, Jet_sums& sums);
 void sum_up_with_avx2(const Wide_point* points, std::size_t count, Jet_sums& sums);
+void sum_up_with_avx512(const Wide_point* points, std::size_t count, Jet_sums& sums);
 
 } // namespace CGAL::Extremal_mesh_3
 

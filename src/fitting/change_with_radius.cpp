@@ -49,6 +49,8 @@ void find_change_with_radius(const Fit_input& input, Thread_pool& pool, Vertex_s
   for (std::uint32_t v = 0; v < shapes.shapes.size(); ++v)
     if (may_be_degenerate(shapes.shapes[v], shapes.quality[v]))
       candidates.push_back(v);
+  if (candidates.empty())
+    return;
   Vertex_shapes wide;
   wide.shapes.resize(shapes.shapes.size());
   wide.fourth.resize(shapes.shapes.size());

@@ -99,20 +99,32 @@ void Formula::derivatives(std::span<const Point> points, int order, std::span<De
 }
 
 void Formula::lattice_values(const Lattice& lattice, std::size_t k, double* out) const {
+  std::vector<Row_part> rows;
+  rows.reserve(lattice.size[1]);
+  for (std::size_t j = 0; j < lattice.size[1]; ++j)
+    rows.push_back({j, 0, lattice.size[0]});
+  lattice_values(lattice, k, rows, out);
+}
+
+void Formula::lattice_values(const Lattice& lattice, std::size_t k, std::span<const Row_part> parts,
+                             double* out) const {
   constexpr std::size_t lanes = value_lanes;
   const Jet_program& program = implementation_->programs[0];
   double* const memory = scratch(program.scratch_size * lanes);
   std::array<double, 3 * lanes> coordinates{};
+  std::array<std::size_t, lanes> place{};
   const auto flush = [&](std::size_t count) {
     evaluate_jets(program, lanes, coordinates.data(), memory);
-    out = std::copy_n(memory + program.result * lanes, count, out);
+    for (std::size_t l = 0; l < count; ++l)
+      out[place[l]] = memory[program.result * lanes + l];
   };
   std::size_t lane = 0; // rows follow each other without gaps in the lanes, so that short rows are no slower
-  for (std::size_t j = 0; j < lattice.size[1]; ++j)
-    for (std::size_t i = 0; i < lattice.size[0]; ++i) {
-      const Point p = lattice.node(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
+  for (const Row_part& part : parts)
+    for (std::size_t i = part.first; i < part.last; ++i) {
+      const Point p = lattice.node(static_cast<double>(i), static_cast<double>(part.j), static_cast<double>(k));
       for (std::size_t axis = 0; axis < 3; ++axis)
         coordinates[axis * lanes + lane] = p[axis];
+      place[lane] = part.j * lattice.size[0] + i;
       if (++lane == lanes) {
         flush(lanes);
         lane = 0;

@@ -8,6 +8,9 @@
 #include "smoothing.h"
 #include "spline.h"
 #include "spline_bounds.h"
+#include "spline_on_lattice.h"
+
+#include "../functions/root_in_bracket.h"
 
 #include <CGAL/Extremal_mesh_3/internal/interval_arithmetic.h>
 
@@ -226,6 +229,53 @@ void Image_function::lattice_values(const Lattice& lattice, std::size_t k, doubl
     node_values<5>(self.volume, k, self.iso, out);
   else
     node_values<7>(self.volume, k, self.iso, out);
+}
+
+bool Image_function::half_step_values(const Lattice& lattice, const std::array<std::size_t, 3>& cube,
+                                      std::array<double, 27>& out) const {
+  const Implementation& self = *implementation_;
+  if (!same(lattice, self.lattice))
+    return false;
+  internal::on_widest_vectors([&]() __attribute__((always_inline)) {
+    if (self.degree == 5)
+      Extremal_mesh_3::half_step_values<5>(self.volume, cube, out);
+    else
+      Extremal_mesh_3::half_step_values<7>(self.volume, cube, out);
+  });
+  for (double& value : out)
+    value = self.iso - value;
+  return true;
+}
+
+namespace {
+
+template <int Degree>
+double root_on_edge_of_spline(const Spline_volume& volume, double iso, const std::array<std::size_t, 3>& node,
+                              std::size_t axis, double v0, double v1) {
+  Polynomial<Degree> p;
+  internal::on_widest_vectors([&]() __attribute__((always_inline)) {
+    p = polynomial_on_edge<Degree>(volume, node, axis);
+  });
+  p[0] -= iso;
+  return root_in_bracket(v0, v1, [&](double t) {
+    double value = p[Degree], slope = 0;
+    for (std::size_t m = Degree; m-- > 0;) {
+      slope = slope * t + value;
+      value = value * t + p[m];
+    }
+    return std::pair(-value, -slope);
+  });
+}
+
+} // namespace
+
+std::optional<double> Image_function::root_on_edge(const Lattice& lattice, const std::array<std::size_t, 3>& node,
+                                                   std::size_t axis, double v0, double v1) const {
+  const Implementation& self = *implementation_;
+  if (!same(lattice, self.lattice))
+    return std::nullopt;
+  return self.degree == 5 ? root_on_edge_of_spline<5>(self.volume, self.iso, node, axis, v0, v1)
+                          : root_on_edge_of_spline<7>(self.volume, self.iso, node, axis, v0, v1);
 }
 
 bool Image_function::bounds(const Box_3& box, int order, Derivative_bounds& d) const {

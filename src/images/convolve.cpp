@@ -11,6 +11,7 @@
 #include <CGAL/Extremal_mesh_3/errors.h>
 
 #include <algorithm>
+#include <cstring>
 #include <mutex>
 #include <tbb/blocked_range.h>
 #include <tbb/info.h>
@@ -20,7 +21,7 @@
 namespace CGAL::Extremal_mesh_3 {
 namespace {
 
-constexpr std::size_t lanes = 16;       // one strip of registers
+constexpr std::size_t lanes = 16;       // of a vector of floats
 constexpr std::size_t strip_width = 64; // a few cache lines, so that a strip of 256 lines stays in the first caches
 
 std::size_t rounded_up_to_lanes(std::size_t n) {
@@ -29,20 +30,25 @@ std::size_t rounded_up_to_lanes(std::size_t n) {
 
 // out[x] = Σ_j k[j] (in[x − j·stride] + in[x + j·stride]), for x up to n rounded up to lanes; from the small weights
 // outside to the large ones inside, for the least rounding.
-void filter(const float* in, std::size_t stride, const Half_kernel& k, float* out, std::size_t n) {
+[[gnu::always_inline]] inline void filter(const float* in, std::size_t stride, const Half_kernel& k, float* out,
+                                          std::size_t n) {
+  const auto add = [](const float* p, Sixteen_floats& sum) __attribute__((always_inline)) {
+    Sixteen_floats v;
+    std::memcpy(&v, p, sizeof v);
+    sum += v;
+  };
   for (std::size_t x = 0; x < n; x += lanes) {
-    Four_floats sum[lanes / 4] = {};
+    Sixteen_floats sum{};
     for (std::size_t j = k.size() - 1; j > 0; --j) {
-      const float weight = k[j];
-      const float* const before = in + x - j * stride;
-      const float* const after = in + x + j * stride;
-#pragma GCC unroll 4
-      for (std::size_t l = 0; l < lanes / 4; ++l)
-        sum[l] += weight * (load(before + 4 * l) + load(after + 4 * l));
+      Sixteen_floats both{};
+      add(in + x - j * stride, both);
+      add(in + x + j * stride, both);
+      sum += k[j] * both;
     }
-#pragma GCC unroll 4
-    for (std::size_t l = 0; l < lanes / 4; ++l)
-      store(out + x + 4 * l, sum[l] + k[0] * load(in + x + 4 * l));
+    Sixteen_floats middle{};
+    add(in + x, middle);
+    sum += k[0] * middle;
+    std::memcpy(out + x, &sum, sizeof sum);
   }
 }
 
@@ -56,7 +62,7 @@ void filter_row(float* row, std::size_t n, const Half_kernel& k, std::vector<flo
   std::copy_n(row, n, in + radius);
   std::fill_n(in + radius + n, radius + padded - n, row[n - 1]);
   float* const out = in + 2 * radius + padded;
-  filter(in + radius, 1, k, out, n);
+  internal::on_widest_vectors([&]() __attribute__((always_inline)) { filter(in + radius, 1, k, out, n); });
   std::copy_n(out, n, row);
 }
 
@@ -69,10 +75,12 @@ void filter_strip(float* first, std::size_t stride, std::size_t n, std::size_t w
   float* line = buffer.data();
   for (std::size_t i = 0; i < n + 2 * radius; ++i, line += padded)
     std::copy_n(first + stride * (std::clamp(i, radius, radius + n - 1) - radius), width, line);
-  for (std::size_t i = 0; i < n; ++i) {
-    filter(buffer.data() + (i + radius) * padded, padded, k, line, width);
-    std::copy_n(line, width, first + i * stride);
-  }
+  internal::on_widest_vectors([&]() __attribute__((always_inline)) {
+    for (std::size_t i = 0; i < n; ++i) {
+      filter(buffer.data() + (i + radius) * padded, padded, k, line, width);
+      std::memcpy(first + i * stride, line, width * sizeof(float));
+    }
+  });
 }
 
 // Turns finished pieces of work into calls of the user's function, one at a time.

@@ -11,15 +11,17 @@
 
 namespace CGAL::Extremal_mesh_3 {
 
-/// computes `iso` minus the spline at all nodes (·,·,k): at a node a spline is a small symmetric filter of its
-/// coefficients, [1 26 66 26 1]/120 along each axis for degree 5.
-/// \param out  `size[0]·size[1]` values
-template <int Degree> void node_values(const Spline_volume& volume, std::size_t k, double iso, double* out) {
+namespace internal {
+
+/// what `node_values()` does, for whatever processor it is compiled for.
+template <int Degree>
+[[gnu::always_inline]] inline void node_values_here(const Spline_volume& volume, std::size_t k, double iso,
+                                                    double* out) {
   constexpr std::size_t radius = (Degree - 1) / 2;
   const auto [nx, ny, nz] = volume.size;
   std::array<double, radius + 1> w; // w[0] is the centre's
   for (std::size_t r = 0; r <= radius; ++r)
-    w[r] = spline_weights<Degree, 0>(0)[0][radius - r];
+    w[r] = spline_weights<Degree, 0>(0.0)[0][radius - r];
 
   const auto clamped = [](std::size_t i, std::size_t n) { return std::clamp(i, +radius, radius + n - 1) - radius; };
   std::array<const float*, 2 * radius + 1> slices;
@@ -32,7 +34,7 @@ template <int Degree> void node_values(const Spline_volume& volume, std::size_t 
   std::vector<double> buffer((slices.size() + 1) * stride);
   double* const lines = buffer.data();
   double* const padded = lines + slices.size() * stride;
-  const auto filter_along_z = [&, nx = nx, ny = ny](std::size_t r) {
+  const auto filter_along_z = [&, nx = nx, ny = ny ](std::size_t r) __attribute__((always_inline)) {
     const std::size_t first = clamped(r, ny) * nx;
     double* const line = lines + r % slices.size() * stride;
 #pragma GCC ivdep
@@ -68,6 +70,17 @@ template <int Degree> void node_values(const Spline_volume& volume, std::size_t 
       out[nx * j + i] = iso - sum;
     }
   }
+}
+
+} // namespace internal
+
+/// computes `iso` minus the spline at all nodes (·,·,k): at a node a spline is a small symmetric filter of its
+/// coefficients, [1 26 66 26 1]/120 along each axis for degree 5.
+/// \param out  `size[0]·size[1]` values
+template <int Degree> void node_values(const Spline_volume& volume, std::size_t k, double iso, double* out) {
+  internal::on_widest_vectors([&]() __attribute__((always_inline)) {
+    internal::node_values_here<Degree>(volume, k, iso, out);
+  });
 }
 
 } // namespace CGAL::Extremal_mesh_3

@@ -19,18 +19,21 @@ namespace CGAL::Extremal_mesh_3 {
 inline constexpr int max_spline_order = 4;
 
 /// The weights of the `Degree + 1` coefficients around a point, `[m]` being those of the m-th derivative.
-template <int Degree, int Order> using Spline_weights = std::array<std::array<double, Degree + 1>, Order + 1>;
+/// \tparam T  a number, or several in a vector: of that many points
+template <int Degree, int Order, class T = double>
+using Spline_weights = std::array<std::array<T, Degree + 1>, Order + 1>;
 
 /// computes the values and derivatives up to `Order` of the uniform B-splines at the fraction `t` of a cell.
 /// The coefficients are those of the nodes `i − (Degree−1)/2` to `i + (Degree+1)/2`, the point being `i + t`.
-template <int Degree, int Order> [[gnu::always_inline]] inline Spline_weights<Degree, Order> spline_weights(double t) {
-  Spline_weights<Degree, Order> weights;
-  std::array<double, Degree + 1> b{1}; // of degree 0
+template <int Degree, int Order, class T>
+[[gnu::always_inline]] inline Spline_weights<Degree, Order, T> spline_weights(const T& t) {
+  Spline_weights<Degree, Order, T> weights;
+  std::array<T, Degree + 1> b{T() + 1.0}; // of degree 0
 #pragma GCC unroll 8
   for (int degree = 0; degree <= Degree; ++degree) {
     if (const int m = Degree - degree; m <= Order) {
       // The m-th derivative is the m-th difference of the B-splines of degree Degree − m.
-      std::array<double, Degree + 1>& w = weights[static_cast<std::size_t>(m)];
+      std::array<T, Degree + 1>& w = weights[static_cast<std::size_t>(m)];
       w = b;
 #pragma GCC unroll 8
       for (int d = degree + 1; d <= Degree; ++d) {
@@ -45,8 +48,9 @@ template <int Degree, int Order> [[gnu::always_inline]] inline Spline_weights<De
 #pragma GCC unroll 8
     for (auto l = static_cast<std::size_t>(degree + 1); l > 0; --l)
       if (l <= Degree)
-        b[l] = scale * ((t + degree + 1 - static_cast<double>(l)) * b[l - 1] + (1 - t + static_cast<double>(l)) * b[l]);
-    b[0] *= scale * (1 - t);
+        b[l] = scale * ((t + static_cast<double>(degree) + 1.0 - static_cast<double>(l)) * b[l - 1] +
+                        (1.0 - t + static_cast<double>(l)) * b[l]);
+    b[0] *= scale * (1.0 - t);
   }
   return weights;
 }
@@ -69,29 +73,30 @@ template <int Degree, int Order>
                                                         Partials& partials) {
   constexpr std::size_t width = Degree + 1;
   constexpr std::size_t orders = Order + 1;
-  std::array<Spline_weights<Degree, Order>, 3> w;
+  Four_doubles fraction{};
   std::array<std::array<std::size_t, width>, 3> node; // of the coefficients
   for (std::size_t a = 0; a < 3; ++a) {
     // Farther out all coefficients are the same one, so that the spline is constant.
     const auto last = static_cast<double>(volume.size[a] - 1);
     const double x = std::clamp(u[a], -static_cast<double>(width), last + static_cast<double>(width));
     const double cell = std::floor(x);
-    w[a] = spline_weights<Degree, Order>(x - cell);
+    fraction[a] = x - cell;
     for (std::size_t l = 0; l < width; ++l)
       node[a][l] = static_cast<std::size_t>(std::clamp(cell + static_cast<double>(l) - (Degree - 1) / 2, 0.0, last));
   }
-  const bool within_row = node[0][width - 1] - node[0][0] == width - 1;
+  const auto w = spline_weights<Degree, Order>(fraction); // [order][node][axis]
+  // Rows are loaded as eight coefficients: of degree 5 the last two go into sums that nobody looks at.
+  constexpr std::size_t lanes = 8;
+  static_assert(width <= lanes);
+  const bool within_row = node[0][width - 1] - node[0][0] == width - 1 && node[0][0] + lanes <= volume.size[0];
 
   // z first, then y, with the row along x side by side in the vector unit; the sums have a fixed order.
-  constexpr std::size_t lanes = Lanes<Degree + 1>::number;
-  using Doubles = typename Lanes<Degree + 1>::Doubles;
-  constexpr std::size_t groups = width / lanes;
-  Doubles yz[orders][orders][groups] = {}; // [order in z][order in y]
+  Eight_doubles yz[orders][orders] = {}; // [order in z][order in y]
   for (std::size_t j = 0; j < width; ++j) {
-    Doubles z[orders][groups] = {};
+    Eight_doubles z[orders] = {};
     for (std::size_t k = 0; k < width; ++k) {
       const float* row = volume.coefficients.data() + volume.size[0] * (node[1][j] + volume.size[1] * node[2][k]);
-      float clamped[width];
+      float clamped[lanes] = {};
       if (within_row)
         row += node[0][0];
       else {
@@ -99,23 +104,18 @@ template <int Degree, int Order>
           clamped[i] = row[node[0][i]];
         row = clamped;
       }
-#pragma GCC unroll 4
-      for (std::size_t i = 0; i < groups; ++i) {
-        typename Lanes<Degree + 1>::Floats stored;
-        std::memcpy(&stored, row + lanes * i, sizeof stored);
-        const Doubles c_i = __builtin_convertvector(stored, Doubles);
+      Eight_floats stored;
+      std::memcpy(&stored, row, sizeof stored);
+      const Eight_doubles c_x = __builtin_convertvector(stored, Eight_doubles);
 #pragma GCC unroll 5
-        for (std::size_t c = 0; c < orders; ++c)
-          z[c][i] += w[2][c][k] * c_i;
-      }
+      for (std::size_t c = 0; c < orders; ++c)
+        z[c] += w[c][k][2] * c_x;
     }
 #pragma GCC unroll 5
     for (std::size_t c = 0; c < orders; ++c)
 #pragma GCC unroll 5
       for (std::size_t b = 0; b + c < orders; ++b)
-#pragma GCC unroll 4
-        for (std::size_t i = 0; i < groups; ++i)
-          yz[c][b][i] += w[1][b][j] * z[c][i];
+        yz[c][b] += w[b][j][1] * z[c];
   }
   for (std::size_t c = 0; c < orders; ++c)
     for (std::size_t b = 0; b + c < orders; ++b)
@@ -123,31 +123,19 @@ template <int Degree, int Order>
         double sum = 0;
 #pragma GCC unroll 4
         for (std::size_t i = 0; i < width; i += 2)
-          sum += w[0][a][i] * yz[c][b][i / lanes][i % lanes] + w[0][a][i + 1] * yz[c][b][i / lanes][i % lanes + 1];
+          sum += w[a][i][0] * yz[c][b][i] + w[a][i + 1][0] * yz[c][b][i + 1];
         partials[a][b][c] = sum;
       }
 }
-
-#ifdef __x86_64__
-/// the same with AVX2, where a row of eight coefficients is two operands. The operations and their order are the same, and so
-/// is the result, to the last bit.
-template <int Degree, int Order>
-[[gnu::target("avx2")]] void evaluate_spline_avx2(const Spline_volume& volume, const Point& u, Partials& partials) {
-  evaluate_spline_here<Degree, Order>(volume, u, partials);
-}
-#endif
 
 } // namespace internal
 
 /// computes the spline's derivatives of all orders up to `Order` at `u`, given in units of the lattice.
 /// \pre `u` is finite
 template <int Degree, int Order> void evaluate_spline(const Spline_volume& volume, const Point& u, Partials& partials) {
-#ifdef __x86_64__
-  static const bool has_avx2 = __builtin_cpu_supports("avx2");
-  if (has_avx2)
-    return internal::evaluate_spline_avx2<Degree, Order>(volume, u, partials);
-#endif
-  internal::evaluate_spline_here<Degree, Order>(volume, u, partials);
+  internal::on_widest_vectors([&]() __attribute__((always_inline)) {
+    internal::evaluate_spline_here<Degree, Order>(volume, u, partials);
+  });
 }
 
 } // namespace CGAL::Extremal_mesh_3

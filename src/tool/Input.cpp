@@ -156,6 +156,10 @@ Input read_input(const Extract_options& options, const Memory_limit& limit) {
   if (options.line_tolerance && !(std::isfinite(*options.line_tolerance) && *options.line_tolerance >= 0))
     throw Usage_error(
         fmt::format("the line tolerance is {}; give --line-tolerance a length of 0 or more", *options.line_tolerance));
+  if (options.min_area && !(std::isfinite(*options.min_area) && *options.min_area >= 0))
+    throw Usage_error(fmt::format("the least area is {}; give --min-area an area of 0 or more", *options.min_area));
+  if (options.min_area && options.largest)
+    throw Usage_error("the largest component is one; give one of --largest and --min-area");
   return options.formula               ? formula_input(options, limit)
          : is_mesh_file(options.input) ? mesh_input(options, limit)
                                        : image_input(options, limit);

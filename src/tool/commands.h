@@ -47,6 +47,8 @@ struct Extract_options : Output_options {
   std::optional<int> rings;
   std::optional<int> max_level, max_line_level;
   std::optional<double> line_tolerance;
+  bool largest = false; ///< of the surface's components
+  std::optional<double> min_area;
   bool certify = false;
   std::string memory_limit; ///< such as "2G"; empty: what the machine has
 };

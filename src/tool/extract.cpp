@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "summary_text.h"
 
+#include <CGAL/Extremal_mesh_3/keep_components.h>
 #include <CGAL/Extremal_mesh_3/make_cgal_cells.h>
 
 #include <fmt/format.h>
@@ -27,15 +28,25 @@ Cell_complex cells_of(const Input& input, const Extraction_options& options, Sur
   return make_cgal_cells(*input.function, input.lattice, mesh_options);
 }
 
+/// leaves out the components of the surface that are not asked for, and tells so in the parameters.
+void choose_components(const Extract_options& told, Input& input, Cell_complex& surface) {
+  surface = keep_components(std::move(surface), {told.largest, told.min_area.value_or(0)});
+  if (told.largest)
+    input.parameters["largest"] = true;
+  if (told.min_area)
+    input.parameters["min_area"] = *told.min_area;
+}
+
 /// the cells of the surface f = 0, then its extremal mesh.
-void extract_from_function(const Input& input, Extraction_options options, bool quiet, Result& result) {
+void extract_from_function(Input& input, const Extract_options& told, Extraction_options options, Result& result) {
   Surface_report report;
   {
-    Progress_bar bar("surface", quiet);
+    Progress_bar bar("surface", told.quiet);
     options.progress = bar.progress();
     result.surface = cells_of(input, options, report);
   }
-  Progress_bar bar("lines", quiet);
+  choose_components(told, input, result.surface);
+  Progress_bar bar("lines", told.quiet);
   options.progress = bar.progress();
   result.extraction = extract_extremal_mesh(*input.function, result.surface, options);
   result.extraction.report.surface = report;
@@ -45,6 +56,7 @@ void extract_from_function(const Input& input, Extraction_options options, bool 
 void extract_from_mesh(Input& input, const Extract_options& told, Extraction_options options, Result& result) {
   result.surface = std::move(input.mesh.cells);
   result.repairs = input.mesh.repairs;
+  choose_components(told, input, result.surface);
   Fit fit;
   {
     Progress_bar bar("fitting", told.quiet);
@@ -84,7 +96,7 @@ int extract(const Extract_options& options) {
   extraction_options.patches = outputs.need_patches();
   Result result;
   if (input.function)
-    extract_from_function(input, extraction_options, options.quiet, result);
+    extract_from_function(input, options, extraction_options, result);
   else
     extract_from_mesh(input, options, extraction_options, result);
 

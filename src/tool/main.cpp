@@ -93,6 +93,8 @@ void add_extract(CLI::App& app, tool::Extract_options& options, std::function<in
          "meshes: the scale of the features looked for, in the mesh's unit (from its sampling and noise)");
   option("--rings", options.rings, "N", "meshes: instead of a radius, how many edges away neighbours are");
   option("--weld", options.weld, "LENGTH", "meshes: vertices so near to each other become one (0; STL: rounding)");
+  command->add_flag("--largest", options.largest, "only the component of the surface with the largest area");
+  option("--min-area", options.min_area, "AREA", "only components of at least this area, in the unit of the input");
   option("--cells", options.cells, "FILE",
          "write the surface cut along the lines, each polygon with its cell (.ply .off)");
   option("--surface", options.surface, "FILE", "write the polygonal surface used (.off)");

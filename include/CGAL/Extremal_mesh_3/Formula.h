@@ -61,6 +61,8 @@ public:
   void derivatives(std::span<const Point> points, int order, std::span<Derivatives> d) const;
 
   void lattice_values(const Lattice& lattice, std::size_t k, double* out) const override;
+  void lattice_values(const Lattice& lattice, std::size_t k, std::span<const Row_part> parts,
+                      double* out) const override;
 
   Bounds_cost bounds_cost() const override { return Bounds_cost::low; }
   /// bounds by interval arithmetic, valid for real numbers: of the formula with its constants as they are rounded,

@@ -7,7 +7,10 @@
 #include <CGAL/Extremal_mesh_3/Derivatives.h>
 #include <CGAL/Extremal_mesh_3/Lattice.h>
 
+#include <array>
 #include <cstddef>
+#include <optional>
+#include <span>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -35,6 +38,24 @@ public:
   /// \param out  `size[0]·size[1]` values, i fastest. The default calls `value()`; models that can do better override it.
   ///             A value may differ from `value()` by rounding.
   virtual void lattice_values(const Lattice& lattice, std::size_t k, double* out) const;
+
+  /// the values at some of the nodes (·,·,k) of a lattice.
+  /// \param out  `size[0]·size[1]` values, i fastest, of which those at the nodes of `parts` are set. The default calls `value()`.
+  virtual void lattice_values(const Lattice& lattice, std::size_t k, std::span<const Row_part> parts,
+                              double* out) const;
+
+  /// the values at the corners of a cube of a lattice and half way between them.
+  /// \param cube  its corner with the smallest numbers
+  /// \param out  `out[a + 3·b + 9·c]` at (a, b, c)/2 of the steps
+  /// \return whether the model has a faster way than `value()`, and may differ from that by rounding; the default has none
+  virtual bool half_step_values(const Lattice& lattice, const std::array<std::size_t, 3>& cube,
+                                std::array<double, 27>& out) const;
+
+  /// the root on an edge of a lattice at whose ends the values v0 and v1 have different signs, in parts of the edge.
+  /// \param node  where the edge begins, which goes along `lattice.step[axis]`
+  /// \return nothing if the model has no faster way than `derivatives()`; the default has none
+  virtual std::optional<double> root_on_edge(const Lattice& lattice, const std::array<std::size_t, 3>& node,
+                                             std::size_t axis, double v0, double v1) const;
 
   /// tells whether `bounds()` can be had, and at what price.
   virtual Bounds_cost bounds_cost() const { return Bounds_cost::unknown; }

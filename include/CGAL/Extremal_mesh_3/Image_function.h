@@ -48,8 +48,15 @@ public:
 
   double value(const Point& p) const override;
   void derivatives(const Point& p, int order, Derivatives& d) const override;
+  using Function_3::lattice_values;
   /// On `lattice()` this takes a few ns per node.
   void lattice_values(const Lattice& lattice, std::size_t k, double* out) const override;
+
+  /// On `lattice()`, these too take little time.
+  bool half_step_values(const Lattice& lattice, const std::array<std::size_t, 3>& cube,
+                        std::array<double, 27>& out) const override;
+  std::optional<double> root_on_edge(const Lattice& lattice, const std::array<std::size_t, 3>& node, std::size_t axis,
+                                     double v0, double v1) const override;
 
   Bounds_cost bounds_cost() const override { return Bounds_cost::high; }
   /// bounds of the spline's value and gradient; derivatives above are not known. Tight within a cell of the lattice, for

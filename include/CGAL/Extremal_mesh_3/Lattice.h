@@ -25,6 +25,11 @@ struct Lattice {
   }
 };
 
+/// The nodes (i, j, ·) of a lattice with `first` ≤ i < `last`.
+struct Row_part {
+  std::size_t j = 0, first = 0, last = 0;
+};
+
 /// makes the lattice of cubes that covers a box.
 /// \param low,high  opposite corners of the box; `high` is moved outwards so that the cubes are whole
 /// \param resolution  number of cubes across the longest side of the box
