@@ -292,7 +292,9 @@ int main(int argc, char** argv) {
   } catch (const Cancelled&) {
     return tell("interrupted; nothing was left half written", tool::signalled + tool::interrupting_signal());
   } catch (const std::bad_alloc&) {
-    return tell("out of memory; try a coarser resolution or a smaller image, or allow more", tool::failure);
+    // not by tell(), which takes memory
+    std::fputs("extremal_mesh: out of memory; try a coarser resolution or a smaller image, or allow more\n", stderr);
+    return tool::failure;
   } catch (const std::system_error& error) {
     return tell(error.code() == std::errc::resource_unavailable_try_again
                     ? "no thread could be started; allow more memory, or threads"
