@@ -109,7 +109,9 @@ int main() {
     surface.add_vertex({p[0], p[1], p[2]});
   for (const auto& [a, b, c] : mesh.triangles)
     surface.add_face(Surface_mesh::Vertex_index(a), Surface_mesh::Vertex_index(b), Surface_mesh::Vertex_index(c));
-  const auto numbers = [&](const char* name) { return surface.add_property_map<Surface_mesh::Vertex_index, double>(name).first; };
+  const auto numbers = [&](const char* name) {
+    return surface.add_property_map<Surface_mesh::Vertex_index, double>(name).first;
+  };
   const auto vectors = [&](const char* name) {
     return surface.add_property_map<Surface_mesh::Vertex_index, Kernel::Vector_3>(name).first;
   };

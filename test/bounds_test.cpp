@@ -70,37 +70,36 @@ struct Case {
   double low, high;
 };
 
-const std::vector<Case> cases = {
-    {"x^2/9 + y^2/4 + z^2 - 1", -3, 3},
-    {"x^4+y^4+z^4-5*x^2-5*y^2-5*z^2+11.8", -3, 3},
-    {"(x^2+y^2+z^2+0.84)^2-4*(x^2+y^2)+0.1*x^2+0.15*x*y*z+0.06*x^3", -2, 2},
-    {"x^3*y - y^3*z + z^3*x", -1, 2},
-    {"x^7 - y^5*z^2 + x*y*z", -1.5, 1.5},
-    {"1/(1+x^2) + y/(2+z^2)", -2, 2},
-    {"x/y + z", -2, 2},
-    {"1/(x^2+y^2+z^2)^2", -1, 1},
-    {"sqrt(x) + sqrt(x^2+y^2+z^2)", -1, 2},
-    {"sqrt(x^2+y^2)-z", -1, 1},
-    {"cbrt(x*y) + z", -2, 2},
-    {"exp(-x^2-y^2) - z", -2, 2},
-    {"exp(x*y)+exp(z)", -3, 3},
-    {"log(x) + ln(y) + log2(z)", -1, 3},
-    {"log10(x^2+y^2+z^2)", -1, 1},
-    {"sin(x)*cos(y) + sin(y)*cos(z) + sin(z)*cos(x)", -7, 7},
-    {"sin(20*x)+cos(30*y)", -7, 7},
-    {"tan(x)+y*z", -4, 4},
-    {"asin(x)+acos(y)+z", -1.5, 1.5},
-    {"atan(x*y)+atan(z)", -3, 3},
-    {"sinh(x)+cosh(y)*tanh(z)", -3, 3},
-    {"tanh(x*y*z)", -1, 1},
-    {"atan2(y, x) + z", -1, 1},
-    {"atan2(x*y, z^2+1)", -2, 2},
-    {"x^2.5 + y^(-0.7) + z^0.3", -0.5, 3},
-    {"x^70 + abs(y)^65.5 + z", -1.1, 1.1},
-    {"x^y + 2^z", -0.5, 2},
-    {"hypot(x, y, z) - 1", -1, 1},
-    {"pow(x^2+1, y)*z", -1, 1},
-    {"e^(x-y)+pi*z", -2, 2}};
+const std::vector<Case> cases = {{"x^2/9 + y^2/4 + z^2 - 1", -3, 3},
+                                 {"x^4+y^4+z^4-5*x^2-5*y^2-5*z^2+11.8", -3, 3},
+                                 {"(x^2+y^2+z^2+0.84)^2-4*(x^2+y^2)+0.1*x^2+0.15*x*y*z+0.06*x^3", -2, 2},
+                                 {"x^3*y - y^3*z + z^3*x", -1, 2},
+                                 {"x^7 - y^5*z^2 + x*y*z", -1.5, 1.5},
+                                 {"1/(1+x^2) + y/(2+z^2)", -2, 2},
+                                 {"x/y + z", -2, 2},
+                                 {"1/(x^2+y^2+z^2)^2", -1, 1},
+                                 {"sqrt(x) + sqrt(x^2+y^2+z^2)", -1, 2},
+                                 {"sqrt(x^2+y^2)-z", -1, 1},
+                                 {"cbrt(x*y) + z", -2, 2},
+                                 {"exp(-x^2-y^2) - z", -2, 2},
+                                 {"exp(x*y)+exp(z)", -3, 3},
+                                 {"log(x) + ln(y) + log2(z)", -1, 3},
+                                 {"log10(x^2+y^2+z^2)", -1, 1},
+                                 {"sin(x)*cos(y) + sin(y)*cos(z) + sin(z)*cos(x)", -7, 7},
+                                 {"sin(20*x)+cos(30*y)", -7, 7},
+                                 {"tan(x)+y*z", -4, 4},
+                                 {"asin(x)+acos(y)+z", -1.5, 1.5},
+                                 {"atan(x*y)+atan(z)", -3, 3},
+                                 {"sinh(x)+cosh(y)*tanh(z)", -3, 3},
+                                 {"tanh(x*y*z)", -1, 1},
+                                 {"atan2(y, x) + z", -1, 1},
+                                 {"atan2(x*y, z^2+1)", -2, 2},
+                                 {"x^2.5 + y^(-0.7) + z^0.3", -0.5, 3},
+                                 {"x^70 + abs(y)^65.5 + z", -1.1, 1.1},
+                                 {"x^y + 2^z", -0.5, 2},
+                                 {"hypot(x, y, z) - 1", -1, 1},
+                                 {"pow(x^2+1, y)*z", -1, 1},
+                                 {"e^(x-y)+pi*z", -2, 2}};
 // With kinks or jumps: derivatives at a point are those of one branch.
 const std::vector<Case> kinked = {{"abs(x) + abs(y*z)", -1, 1},
                                   {"min(x, y, z)", -1, 1},
@@ -159,7 +158,8 @@ double width(const Derivative_bounds& d, int order) {
 }
 
 Box_3 cube(const Point& middle, double half) {
-  return {{middle[0] - half, middle[1] - half, middle[2] - half}, {middle[0] + half, middle[1] + half, middle[2] + half}};
+  return {{middle[0] - half, middle[1] - half, middle[2] - half},
+          {middle[0] + half, middle[1] + half, middle[2] + half}};
 }
 
 } // namespace
@@ -172,7 +172,8 @@ TEST(Interval_arithmetic, holds_all_results_for_random_operands) {
   };
   for (int n = 0; n < 20000; ++n) {
     const Interval a = interval(), b = interval();
-    const double x = std::min(a.high, random.uniform(a.low, a.high)), y = std::min(b.high, random.uniform(b.low, b.high));
+    const double x = std::min(a.high, random.uniform(a.low, a.high)),
+                 y = std::min(b.high, random.uniform(b.low, b.high));
     ASSERT_TRUE((a + b).contains(x + y));
     ASSERT_TRUE((a - b).contains(x - y));
     ASSERT_TRUE((a * b).contains(x * y));

@@ -23,12 +23,16 @@ using meshes::Polygons;
 const double b = std::sqrt(0.5), c = 0.5;
 const surfaces::Counts truth{6, 4, 0, 16, 8, 0, 2};
 
-std::vector<Point> ends() { return {{1, 0, 0}, {-1, 0, 0}, {0, b, 0}, {0, -b, 0}, {0, 0, c}, {0, 0, -c}}; }
+std::vector<Point> ends() {
+  return {{1, 0, 0}, {-1, 0, 0}, {0, b, 0}, {0, -b, 0}, {0, 0, c}, {0, 0, -c}};
+}
 std::vector<Point> umbilics() {
   const double x = std::sqrt(2.0 / 3), z = c * std::sqrt(1.0 / 3);
   return {{x, 0, z}, {-x, 0, z}, {x, 0, -z}, {-x, 0, -z}};
 }
-Polygons ellipsoid(int levels) { return meshes::on_ellipsoid(meshes::icosphere(levels), 1, b, c); }
+Polygons ellipsoid(int levels) {
+  return meshes::on_ellipsoid(meshes::icosphere(levels), 1, b, c);
+}
 
 double mean_edge_length(const Cell_complex& cells) {
   double sum = 0;
@@ -128,7 +132,8 @@ TEST_P(Noisy_icosphere, has_at_most_three_times_as_many_vertices_by_default) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Extremal_mesh mesh =
-        extract(meshes::with_radial_noise(exact, GetParam().sigma * meshes::mean_edge_length(exact), seed).cells()).mesh;
+        extract(meshes::with_radial_noise(exact, GetParam().sigma * meshes::mean_edge_length(exact), seed).cells())
+            .mesh;
     surfaces::expect_all_checks_hold(mesh);
     EXPECT_LE(mesh.number_of_vertices(), 30U);
   }

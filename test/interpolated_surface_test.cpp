@@ -23,9 +23,13 @@ const Formula ellipsoid("x^2+2*y^2+4*z^2-1");
 const double a = 1, b = std::sqrt(0.5), c = 0.5;
 const surfaces::Counts truth{6, 4, 0, 16, 8, 0, 2};
 
-Polygons ellipsoid_mesh(int levels) { return meshes::on_ellipsoid(meshes::icosphere(levels), a, b, c); }
+Polygons ellipsoid_mesh(int levels) {
+  return meshes::on_ellipsoid(meshes::icosphere(levels), a, b, c);
+}
 
-std::vector<Point> ends() { return {{a, 0, 0}, {-a, 0, 0}, {0, b, 0}, {0, -b, 0}, {0, 0, c}, {0, 0, -c}}; }
+std::vector<Point> ends() {
+  return {{a, 0, 0}, {-a, 0, 0}, {0, b, 0}, {0, -b, 0}, {0, 0, c}, {0, 0, -c}};
+}
 std::vector<Point> umbilics() {
   const double x = std::sqrt(2.0 / 3), z = c * std::sqrt(1.0 / 3);
   return {{x, 0, z}, {-x, 0, z}, {x, 0, -z}, {-x, 0, -z}};

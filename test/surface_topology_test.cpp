@@ -154,9 +154,9 @@ TEST(Surface_topology, is_not_proved_where_the_surface_touches_itself_and_the_pl
     std::string formula;
     Point where;
   };
-  const std::vector<Singular> all = {{"x^2+y^2-z^2", {0, 0, 0}},                       // a cone's apex
+  const std::vector<Singular> all = {{"x^2+y^2-z^2", {0, 0, 0}},                             // a cone's apex
                                      {"((x-1)^2+y^2+z^2-1)*((x+1)^2+y^2+z^2-1)", {0, 0, 0}}, // spheres that touch
-                                     {"(x-0.3)^2+(y-0.2)^2+(z-0.1)^2", {0.3, 0.2, 0.1}}};   // a point
+                                     {"(x-0.3)^2+(y-0.2)^2+(z-0.1)^2", {0.3, 0.2, 0.1}}};    // a point
   for (const Singular& s : all)
     for (const std::size_t resolution : {7U, 12U}) {
       SCOPED_TRACE(s.formula);
@@ -206,9 +206,8 @@ TEST(Surface_topology, of_functors_is_found_where_values_at_nodes_tell_of_more) 
     const auto far = square(x + 1) + square(y) + square(z) - 0.5;
     return far * (square((x - 0.23) / 0.19) + square((y - 0.27) / 0.17) + square((z - 0.25) / 0.15) - 1);
   });
-  const auto neck = make_function([](auto x, auto y, auto z) {
-    return square(x * x - 1) + 3 * square(y - 0.03) + 3 * square(z + 0.05) - 1.01;
-  });
+  const auto neck = make_function(
+      [](auto x, auto y, auto z) { return square(x * x - 1) + 3 * square(y - 0.03) + 3 * square(z + 0.05) - 1.01; });
   for (const std::size_t resolution : {4U, 8U}) {
     Surface_report report;
     EXPECT_EQ(topology(small, cubes(2, resolution), report), (Topology{1, 2, true}));
@@ -221,9 +220,9 @@ TEST(Surface_topology, of_functors_is_found_where_values_at_nodes_tell_of_more) 
 }
 
 TEST(Surface_topology, needs_no_divided_cubes_where_the_lattice_is_fine) {
-  for (const auto& [formula, half] : {std::pair{"x^2/9 + y^2/4 + z^2 - 1", 3.2},
-                                      std::pair{"(x^2+y^2+z^2+0.75)^2-4*(x^2+y^2)", 1.9},
-                                      std::pair{"x^4+y^4+z^4-5*x^2-5*y^2-5*z^2+11.8", 3.0}}) {
+  for (const auto& [formula, half] :
+       {std::pair{"x^2/9 + y^2/4 + z^2 - 1", 3.2}, std::pair{"(x^2+y^2+z^2+0.75)^2-4*(x^2+y^2)", 1.9},
+        std::pair{"x^4+y^4+z^4-5*x^2-5*y^2-5*z^2+11.8", 3.0}}) {
     Surface_report report;
     make_implicit_cells(Formula(formula), cubes(half, 64), {}, &report);
     EXPECT_EQ(report.divided_cubes, 0U) << formula;

@@ -6,8 +6,8 @@
 #define EXTREMAL_MESH_3_SRC_CELLS_PARALLEL_H
 
 #include <tbb/blocked_range.h>
-#include <tbb/info.h>
 #include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 

@@ -76,7 +76,7 @@ Principal_quantities principal_quantities(const Local_shape& s) {
   const Vector v = s.v();
   r.t1 = c * s.u + sn * v;
   r.t2 = c * v - sn * s.u;
-  const Complex w(c, sn);                                        // e^{iθ}
+  const Complex w(c, sn);                                                 // e^{iθ}
   const Complex p = std::conj(s.A3) * w * w * w, q = std::conj(s.A1) * w; // e(θ) = Re(p + q)
   r.e1 = (p + q).real();
   r.e2 = (Complex(0, -1) * p + Complex(0, 1) * q).real(); // θ + π/2 turns p by −i and q by i
@@ -155,8 +155,8 @@ namespace {
 
 /// the number of real roots of the cubic form a x³ + b x²y + c x y² + d y³ in the projective line, 1 or 3 (0 if a double root).
 int real_roots(double a, double b, double c, double d) {
-  const double discriminant = 18 * a * b * c * d - 4 * b * b * b * d + b * b * c * c - 4 * a * c * c * c -
-                              27 * a * a * d * d;
+  const double discriminant =
+      18 * a * b * c * d - 4 * b * b * b * d + b * b * c * c - 4 * a * c * c * c - 27 * a * a * d * d;
   return discriminant > 0 ? 3 : (discriminant < 0 ? 1 : 0);
 }
 
@@ -174,11 +174,13 @@ int real_lines(const std::array<Complex, 4>& c) {
 
 /// the number of extremal lines where P = p z + q z̄ and Q = α z + β z̄ vanish.
 int lines_through_umbilic(Complex p, Complex q, Complex alpha, Complex beta) {
-  return real_lines({p * p * alpha, p * p * beta + 2.0 * p * q * alpha, q * q * alpha + 2.0 * p * q * beta,
-                     q * q * beta});
+  return real_lines(
+      {p * p * alpha, p * p * beta + 2.0 * p * q * alpha, q * q * alpha + 2.0 * p * q * beta, q * q * beta});
 }
 
-int sign(double x) { return (x > 0) - (x < 0); }
+int sign(double x) {
+  return (x > 0) - (x < 0);
+}
 
 } // namespace
 

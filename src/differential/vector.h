@@ -11,17 +11,33 @@
 
 namespace CGAL::Extremal_mesh_3 {
 
-inline Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-inline Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-inline Vector operator-(const Vector& a) { return {-a[0], -a[1], -a[2]}; }
-inline Vector operator*(double s, const Vector& a) { return {s * a[0], s * a[1], s * a[2]}; }
-inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Vector operator+(const Vector& a, const Vector& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+inline Vector operator-(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+inline Vector operator-(const Vector& a) {
+  return {-a[0], -a[1], -a[2]};
+}
+inline Vector operator*(double s, const Vector& a) {
+  return {s * a[0], s * a[1], s * a[2]};
+}
+inline double dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 inline Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-inline double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
-inline double distance(const Point& a, const Point& b) { return norm(a - b); }
-inline Vector normalized(const Vector& a) { return (1 / norm(a)) * a; }
+inline double norm(const Vector& a) {
+  return std::sqrt(dot(a, a));
+}
+inline double distance(const Point& a, const Point& b) {
+  return norm(a - b);
+}
+inline Vector normalized(const Vector& a) {
+  return (1 / norm(a)) * a;
+}
 
 /// a unit vector orthogonal to the unit vector n.
 inline Vector any_orthogonal(const Vector& n) {

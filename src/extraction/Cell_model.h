@@ -112,7 +112,7 @@ private:
   Eigen::Array<double, parts, most_monomials> c_;
   Values third_ = Values::Zero();    ///< more than |D³(t, t, t)| in the cell
   Values residual_ = Values::Zero(); ///< the greatest difference from what the part was fitted to
-  Complex axis_ = 1; ///< the direction of the long axis
+  Complex axis_ = 1;                 ///< the direction of the long axis
   double length_ = 1, width_ = 1;
 };
 

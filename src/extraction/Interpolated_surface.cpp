@@ -19,7 +19,9 @@ bool finite(const Local_shape& s) {
          std::isfinite(std::norm(s.Phi()));
 }
 
-bool finite(const Fourth_order_form& D) { return std::isfinite(D.D0 + std::norm(D.D2) + std::norm(D.D4)); }
+bool finite(const Fourth_order_form& D) {
+  return std::isfinite(D.D0 + std::norm(D.D2) + std::norm(D.D4));
+}
 
 /// tells whether u and n are the orthonormal vectors that a shape must have, up to rounding of the caller's.
 bool has_frame(const Local_shape& s) {

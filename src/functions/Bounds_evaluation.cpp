@@ -108,9 +108,7 @@ private:
   }
 
   /// sets all coefficients but the value.
-  void set_derivatives(Interval* out, const Interval& to) const {
-    std::fill(out + 1, out + taylor_size(order_), to);
-  }
+  void set_derivatives(Interval* out, const Interval& to) const { std::fill(out + 1, out + taylor_size(order_), to); }
   void set(Interval* out, const Interval& to) const {
     *out = to;
     set_derivatives(out, to);

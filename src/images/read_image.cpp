@@ -213,8 +213,9 @@ std::vector<float> read_voxels(itk::ImageIOBase& io, std::size_t n) {
 void require_memory(double bytes, std::uint64_t limit) {
   constexpr double mega = 0x1p20;
   if (bytes > double(limit))
-    throw std::runtime_error(fmt::format("to read it takes {:.0f} MB of memory, more than the {:.0f} MB that it may take",
-                                         bytes / mega, double(limit) / mega));
+    throw std::runtime_error(
+        fmt::format("to read it takes {:.0f} MB of memory, more than the {:.0f} MB that it may take", bytes / mega,
+                    double(limit) / mega));
 }
 
 Image read(const std::string& file, const Image_reading_options& options) {

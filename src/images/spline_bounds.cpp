@@ -57,15 +57,14 @@ template <int Degree> Spline_bounds within_cell(const Spline_volume& volume, con
   std::array<std::array<std::size_t, n>, 3> node;
   for (std::size_t a = 0; a < 3; ++a)
     for (std::size_t l = 0; l < n; ++l)
-      node[a][l] = std::size_t(
-          std::clamp(cell[a] + double(l) - before<Degree>, 0.0, double(volume.size[a] - 1)));
+      node[a][l] = std::size_t(std::clamp(cell[a] + double(l) - before<Degree>, 0.0, double(volume.size[a] - 1)));
   Cube b;
   double largest = 0;
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = 0; i < n; ++i) {
-        b[k][j][i] = double(
-            volume.coefficients[node[0][i] + volume.size[0] * (node[1][j] + volume.size[1] * node[2][k])]);
+        b[k][j][i] =
+            double(volume.coefficients[node[0][i] + volume.size[0] * (node[1][j] + volume.size[1] * node[2][k])]);
         largest = std::max(largest, std::abs(b[k][j][i]));
       }
   // Along each axis in turn, which each round moves to the end.
@@ -106,8 +105,7 @@ template <int Degree> Spline_bounds within_cell(const Spline_volume& volume, con
 }
 
 /// \param first,last  the cells along each axis
-template <int Degree>
-Spline_bounds over_cells(const Spline_volume& volume, const Point& first, const Point& last) {
+template <int Degree> Spline_bounds over_cells(const Spline_volume& volume, const Point& first, const Point& last) {
   std::array<std::vector<std::size_t>, 3> node;
   for (std::size_t a = 0; a < 3; ++a)
     for (double x = first[a] - before<Degree>; x <= last[a] + Degree - before<Degree>; ++x)

@@ -39,11 +39,16 @@ Json json_of(const Surface_report& report) {
 
 Json json_of(const Extraction_report& report) {
   Json json = {{"surface", json_of(report.surface)},
-          {"surface_points", report.surface_points},     {"surface_cells", report.surface_cells},
-          {"refined_cells", report.refined_cells},       {"accepted_cells", report.accepted_cells},
-          {"uncertain_cells", report.uncertain_cells},   {"interpolated_points", report.interpolated_points},
-          {"degenerate_cells", report.degenerate_cells}, {"rounds", report.rounds},
-          {"line_segments", report.line_segments},       {"straight_segments", report.straight_segments}};
+               {"surface_points", report.surface_points},
+               {"surface_cells", report.surface_cells},
+               {"refined_cells", report.refined_cells},
+               {"accepted_cells", report.accepted_cells},
+               {"uncertain_cells", report.uncertain_cells},
+               {"interpolated_points", report.interpolated_points},
+               {"degenerate_cells", report.degenerate_cells},
+               {"rounds", report.rounds},
+               {"line_segments", report.line_segments},
+               {"straight_segments", report.straight_segments}};
   if (report.certified) {
     json["proved_empty_cells"] = report.proved_empty_cells;
     json["proved_vertex_free_cells"] = report.proved_vertex_free_cells;

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <new>
@@ -233,6 +234,23 @@ int tell(std::string message, int code) {
   return code;
 }
 
+constexpr const char* out_of_memory =
+    "extremal_mesh: out of memory; try a coarser resolution or a smaller image, or allow more\n";
+
+/// Destructors of nlohmann::json take memory: when there is none, no handler of exceptions is reached. Nothing is half written, as
+/// outputs get their names last.
+[[noreturn]] void end_without_memory() {
+  try {
+    if (const std::exception_ptr thrown = std::current_exception())
+      std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    std::fputs(out_of_memory, stderr);
+    std::_Exit(tool::failure);
+  } catch (...) {
+  }
+  std::abort();
+}
+
 int run(int argc, char** argv) {
   CLI::App app("The extremal mesh of surfaces", "extremal_mesh");
   app.set_version_flag("--version", "extremal_mesh " EXTREMAL_MESH_3_VERSION);
@@ -282,6 +300,7 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+  std::set_terminate(end_without_memory);
   std::signal(SIGXFSZ, SIG_IGN); // a file that gets larger than allowed is an error like a full disk
   try {
     return run(argc, argv);
@@ -293,7 +312,7 @@ int main(int argc, char** argv) {
     return tell("interrupted; nothing was left half written", tool::signalled + tool::interrupting_signal());
   } catch (const std::bad_alloc&) {
     // not by tell(), which takes memory
-    std::fputs("extremal_mesh: out of memory; try a coarser resolution or a smaller image, or allow more\n", stderr);
+    std::fputs(out_of_memory, stderr);
     return tool::failure;
   } catch (const std::system_error& error) {
     return tell(error.code() == std::errc::resource_unavailable_try_again

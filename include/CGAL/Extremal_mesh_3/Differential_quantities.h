@@ -14,9 +14,9 @@ namespace CGAL::Extremal_mesh_3 {
 /// orthonormal tangent basis (u, v), v = n × u. Under a rotation of the basis by α, `Q`, `A1` and `A3` are multiplied by
 /// e^{−2iα}, e^{−iα} and e^{−3iα}: each is smooth on the surface, at umbilics too, and needs no principal directions.
 struct Local_shape {
-  Vector n{0, 0, 1}; ///< unit normal
-  Vector u{1, 0, 0}; ///< unit, orthogonal to n
-  double H = 0;      ///< mean curvature (L11 + L22)/2, in 1/length
+  Vector n{0, 0, 1};       ///< unit normal
+  Vector u{1, 0, 0};       ///< unit, orthogonal to n
+  double H = 0;            ///< mean curvature (L11 + L22)/2, in 1/length
   std::complex<double> Q;  ///< (L11 − L22)/2 + i L12; |Q| = (k1 − k2)/2
   std::complex<double> A1; ///< 3[(C111 + C122) + i(C112 + C222)]/4, in 1/length²
   std::complex<double> A3; ///< [(C111 − 3C122) + i(3C112 − C222)]/4

@@ -23,12 +23,12 @@ struct Fit_quality {
   Fit_state state = Fit_state::given;
   std::uint32_t points = 0; ///< in the neighbourhood, the vertex included
   double radius = 0;        ///< of the neighbourhood, a length
-  double condition = 1;     ///< √ of the largest variance inflation of a coefficient: 4 to 10 are good, 80 on one side
-  double residual = 0;      ///< weighted root mean square of the distances to the jet, a length
+  double condition = 1; ///< √ of the largest variance inflation of a coefficient: 4 to 10 are good, 80 on one side
+  double residual = 0;  ///< weighted root mean square of the distances to the jet, a length
   /// standard error of L(t, t), root mean square over unit tangents t, that the residual implies if it is noise, in
   /// 1/length. With weights it is too large by 7 %, that of C by 28 %
   double L_error = 0;
-  double C_error = 0;       ///< the same of C(t, t, t), in 1/length²
+  double C_error = 0; ///< the same of C(t, t, t), in 1/length²
   /// by how much C changes in a neighbourhood 1.4 times as wide, where an extremality is so small that it may be an
   /// error of the fit; 0 elsewhere
   double C_change = 0;

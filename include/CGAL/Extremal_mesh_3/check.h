@@ -12,11 +12,11 @@ namespace CGAL::Extremal_mesh_3 {
 
 /// The outcome of one check.
 struct Check {
-  std::string name;     ///< a short identifier such as "euler"
-  std::string claim;    ///< what must hold, in words
-  bool applies = true;  ///< `false`: nothing can be said here (`detail` tells why: border, degenerate area)
+  std::string name;    ///< a short identifier such as "euler"
+  std::string claim;   ///< what must hold, in words
+  bool applies = true; ///< `false`: nothing can be said here (`detail` tells why: border, degenerate area)
   bool holds = true;
-  std::string detail;   ///< the numbers met; on a violation the offending elements with their positions
+  std::string detail; ///< the numbers met; on a violation the offending elements with their positions
 };
 
 /// tests every identity of the extremal mesh that can be tested on the graph and its cells alone: degrees, families around

@@ -17,7 +17,7 @@ namespace CGAL::Extremal_mesh_3 {
 
 /// How to extract.
 struct Extraction_options {
-  int threads = 0;    ///< 0: as many as the machine has cores. The result does not depend on it.
+  int threads = 0; ///< 0: as many as the machine has cores. The result does not depend on it.
   /// a cell is divided at most so many times, each time into cells of half the size
   int max_level = 20;
   /// a cell that is known to hold no vertex, but in which the course of the lines is not certain, at most so many times.
@@ -69,11 +69,11 @@ struct Extraction_report {
   /// further accepted cells without vertices, with lines or without, in which it is proved that there is no extremal point and no umbilic
   std::size_t proved_vertex_free_cells = 0;
   std::size_t interpolated_points = 0; ///< points that could not be placed on the surface itself
-  std::size_t degenerate_cells = 0;   ///< initial cells in which E_g = 0 up to rounding
+  std::size_t degenerate_cells = 0;    ///< initial cells in which E_g = 0 up to rounding
   /// initial cells with a corner at which no jet could be fitted, or one that contradicts the cells
   std::size_t unknown_cells = 0;
-  int rounds = 0;                     ///< of subdivision
-  std::size_t line_segments = 0;      ///< pieces of lines within one cell
+  int rounds = 0;                ///< of subdivision
+  std::size_t line_segments = 0; ///< pieces of lines within one cell
   /// those of them that were left straight, or coarser than `line_tolerance`, as the points between could not be placed on the line
   std::size_t straight_segments = 0;
 };
@@ -82,9 +82,9 @@ struct Extraction_report {
 struct Cell_patches {
   std::vector<Point> points;
   std::vector<Vector> normals;
-  std::vector<std::size_t> begin{0};   ///< polygon i has corners[begin[i] … begin[i+1])
-  std::vector<std::uint32_t> corners;  ///< indices of points, counter-clockwise seen from the normals' side
-  std::vector<std::uint32_t> cell;     ///< of each polygon: the cell of the extremal mesh
+  std::vector<std::size_t> begin{0};  ///< polygon i has corners[begin[i] … begin[i+1])
+  std::vector<std::uint32_t> corners; ///< indices of points, counter-clockwise seen from the normals' side
+  std::vector<std::uint32_t> cell;    ///< of each polygon: the cell of the extremal mesh
 };
 
 struct Extraction {
@@ -109,7 +109,8 @@ Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, co
 
 /// extracts the extremal mesh of the surface `f = 0` from cells that lie on it.
 /// \throws Degenerate_surface_error if `E_g = 0` (up to rounding) over most of the surface; Extraction_error if it is not 1e-35 to 1e35 long
-Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells, const Extraction_options& options = {});
+Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells,
+                                 const Extraction_options& options = {});
 
 /// extracts the extremal mesh of a surface that is known at the points of its cells only. Between them L and C are
 /// interpolated in a common frame, by their values and derivatives (exactly where they are quadratic), so that Φ is a polynomial
