@@ -64,6 +64,11 @@ Field_gradients field_gradients(const Sample& sample) {
   return {{dP(u), dP(v)}, {dQ(u), dQ(v)}};
 }
 
+Phase_gradient phase_gradient(const Sample& s) {
+  const Field_gradients d = field_gradients(s);
+  return {(2.0 * d.P.x / s.P + d.Q.x / s.shape.Q).imag(), (2.0 * d.P.y / s.P + d.Q.y / s.shape.Q).imag()};
+}
+
 Sample::Sample(const Point& point, const Local_shape& local_shape, bool is_exact)
     : p(point), shape(local_shape), P(local_shape.P()), exact(is_exact) {
   const Complex phi = local_shape.Phi();

@@ -78,6 +78,12 @@ struct Field_gradients {
 };
 Field_gradients field_gradients(const Sample& s);
 
+/// The gradient of the phase of Φ = P² Q at such a sample, along u and v; not finite where P or Q is 0.
+struct Phase_gradient {
+  double x = 0, y = 0;
+};
+Phase_gradient phase_gradient(const Sample& s);
+
 /// e^{iα}, α being the angle from b's basis to a's after parallel transport from a to b along the shortest way between
 /// their normals. A quantity of spin s at a has the components X e^{isα} in b's basis (P: −1, Q: 2, A1: 1, A3: 3).
 Complex frame_turn(const Sample& a, const Sample& b);

@@ -417,8 +417,7 @@ Line_place line_place(const Surface& surface, Sample s, int family, double step)
                    {}};
   if (s.has_fourth) {
     // Along the line the phase of Φ = P² Q does not change.
-    const Field_gradients d = field_gradients(s);
-    const double x = (2.0 * d.P.x / s.P + d.Q.x / s.shape.Q).imag(), y = (2.0 * d.P.y / s.P + d.Q.y / s.shape.Q).imag();
+    const auto [x, y] = phase_gradient(s);
     const double slope = std::sqrt(x * x + y * y);
     if (std::isfinite(slope) && slope > 0)
       place.tangent = (-y / slope) * s.shape.u + (x / slope) * s.shape.v();

@@ -76,8 +76,7 @@ private:
   static double angle(const Vector& a, const Vector& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
 
   static Phase_slope slope_at(const Sample& s) {
-    const Field_gradients d = field_gradients(s);
-    const double x = (2.0 * d.P.x / s.P + d.Q.x / s.shape.Q).imag(), y = (2.0 * d.P.y / s.P + d.Q.y / s.shape.Q).imag();
+    const auto [x, y] = phase_gradient(s);
     return {x * s.shape.u + y * s.shape.v(), std::sqrt(x * x + y * y)};
   }
 
