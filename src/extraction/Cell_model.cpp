@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -15,8 +16,12 @@ namespace {
 
 /// Derivatives weigh as much as what a field changes by over this part of the cell's radius.
 constexpr double weight_of_derivatives = 0.5;
+/// The degree follows from how many samples lie as far from each other, in parts of the cell's radius. Where edges are divided many lie
+/// side by side: a model of the degree that all of them would allow meets them, and is off by a thousand times that elsewhere.
+constexpr double apart = 0.25;
 /// Residuals are those at samples: between them a model is up to so much worse. Products take the errors of their factors as if they
-/// added up, which they seldom do: less is as safe. (Of places in the cells of CTs, 1 in 100 are worse than either.)
+/// added up, which they seldom do: less is as safe. (In the cells of CTs P is worse than
+/// that at 1 place in 1000.)
 constexpr double safety = 3, safety_of_products = 2;
 
 constexpr int monomials_of(int degree) {
@@ -158,11 +163,21 @@ void Cell_model::choose_coordinates(const Planar_points& points) {
   width_ *= std::sqrt(radius2);
 }
 
+std::size_t Cell_model::samples_apart(const std::vector<Complex>& points) const {
+  std::vector<Complex> chosen;
+  for (const Complex point : points) {
+    const Complex z = from_plane(point);
+    if (std::none_of(chosen.begin(), chosen.end(), [&](Complex other) { return std::norm(z - other) < apart * apart; }))
+      chosen.push_back(z);
+  }
+  return chosen.size();
+}
+
 Cell_model::Cell_model(const Flat_cell& flat, Complex Q) : by_parts_(flat.has_derivatives) {
   choose_coordinates(flat.points);
   const Complex w = std::polar(1.0, std::arg(Q) / 2);
   // A few equations more than unknowns tell how good the model is.
-  const std::size_t equations = 3 * flat.points.z.size();
+  const std::size_t equations = 3 * samples_apart(flat.points.z);
   if (!by_parts_)
     fit<2>(flat, w);
   else if (equations < 24)

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <vector>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -104,6 +105,8 @@ private:
   template <int Degree> Jets jets_of_degree(Complex z) const;
   Plane_range range(Part part, const Plane_jet& here, double r) const;
   void choose_coordinates(const Planar_points& points);
+  /// the number of samples that are left if one is taken of those that lie side by side.
+  std::size_t samples_apart(const std::vector<Complex>& points) const;
   template <int Degree> void fit(const Flat_cell& flat, Complex w);
 
   bool by_parts_ = false;
