@@ -74,16 +74,24 @@ public:
       r.base[a] += (corner >> a & 1U) * side(r.level);
     return r;
   }
-  /// the cube and those of its size around it, 27 in all, as far as they are inside.
-  std::vector<Grid_cube> around(const Grid_cube& c) const {
-    std::vector<Grid_cube> cubes;
+  /// tells whether visit(cube) is true for the cube or one of its size around it, 27 in all, as far as they are inside.
+  template <class Visit> bool any_around(const Grid_cube& c, const Visit& visit) const {
     const std::int64_t s = side(c.level);
     for (int i = 0; i < 27; ++i) {
       const Grid_cube n{{c.base[0] + (i % 3 - 1) * s, c.base[1] + (i / 3 % 3 - 1) * s, c.base[2] + (i / 9 - 1) * s},
                         c.level};
-      if (inside(n))
-        cubes.push_back(n);
+      if (inside(n) && visit(n))
+        return true;
     }
+    return false;
+  }
+  /// these cubes.
+  std::vector<Grid_cube> around(const Grid_cube& c) const {
+    std::vector<Grid_cube> cubes;
+    any_around(c, [&](const Grid_cube& n) {
+      cubes.push_back(n);
+      return false;
+    });
     return cubes;
   }
   /// divides larger cubes beside smaller ones, until the levels of neighbours differ by one at most.

@@ -44,7 +44,7 @@ bool Octree_weaver::edge_divided(const Edge& edge) const {
 /// adds the cuts of an edge, walked along its axis or back.
 void Octree_weaver::cut(const Edge& edge, bool forward, std::vector<Cut>& cuts) {
   const std::int64_t s = Octree::side(edge.level);
-  if (edge.level < Octree::levels && edge_divided(edge)) {
+  if (beside_finer_ && edge.level < Octree::levels && edge_divided(edge)) {
     const Edge low{edge.base, edge.axis, edge.level + 1},
         high{moved(edge.base, edge.axis, s / 2), edge.axis, edge.level + 1};
     cut(forward ? low : high, forward, cuts);
@@ -78,7 +78,7 @@ bool Octree_weaver::ambiguous_face_joined(const Face& face) {
 void Octree_weaver::join(const Face& face, std::map<std::uint32_t, std::uint32_t>& next) {
   const std::int64_t s = Octree::side(face.level);
   const std::size_t normal = 3 - face.first - face.second;
-  if (face.level < Octree::levels &&
+  if (beside_finer_ && face.level < Octree::levels &&
       (tree_.divided({face.base, face.level}) || tree_.divided({moved(face.base, normal, -s), face.level}))) {
     for (int i = 0; i < 4; ++i)
       join({moved(moved(face.base, face.first, i & 1 ? s / 2 : 0), face.second, i & 2 ? s / 2 : 0), face.first,
@@ -106,8 +106,7 @@ void Octree_weaver::join(const Face& face, std::map<std::uint32_t, std::uint32_t
       next[cuts[i].point] = cuts[joined ? (i + 1) % n : (i + n - 1) % n].point;
 }
 
-/// tells that a cube lies outside the domain of the function, or has equal signs at its corners and no finer cubes
-/// beside it.
+/// tells that a cube lies outside the domain of the function, or has equal signs at its corners and no finer cubes beside it.
 bool Octree_weaver::plainly_empty(const Grid_cube& cube) {
   int positive = 0;
   for (unsigned c = 0; c < 8; ++c) {
@@ -119,12 +118,11 @@ bool Octree_weaver::plainly_empty(const Grid_cube& cube) {
       return true;
     positive += v >= 0;
   }
-  return (positive == 0 || positive == 8) && !beside_finer(cube);
+  return (positive == 0 || positive == 8) && !beside_finer_;
 }
 
 bool Octree_weaver::beside_finer(const Grid_cube& cube) const {
-  const auto around = tree_.around(cube);
-  return std::any_of(around.begin(), around.end(), [&](const Grid_cube& c) { return tree_.divided(c); });
+  return tree_.any_around(cube, [&](const Grid_cube& c) { return tree_.divided(c); });
 }
 
 void Octree_weaver::weave(const Grid_cube& cube) {
@@ -133,6 +131,7 @@ void Octree_weaver::weave(const Grid_cube& cube) {
       weave(Octree::child(cube, c));
     return;
   }
+  beside_finer_ = beside_finer(cube);
   if (plainly_empty(cube))
     return;
   const std::int64_t s = Octree::side(cube.level);
@@ -163,7 +162,7 @@ void Octree_weaver::weave(const Grid_cube& cube) {
     polygon_begin.push_back(corners.size());
     polygon_cubes.push_back(cube);
   }
-  if ((ambiguous_side_ || loops > 1) && beside_finer(cube))
+  if ((ambiguous_side_ || loops > 1) && beside_finer_)
     ambiguous_cubes.push_back(cube);
 }
 

@@ -79,6 +79,7 @@ private:
   std::unordered_map<Edge, std::uint32_t, Edge_hash> points_;
   std::uint32_t next_point_ = 0;
   bool ambiguous_side_ = false; ///< met in the cube at hand
+  bool beside_finer_ = false;   ///< the cube at hand touches divided ones: its sides may be divided
 };
 
 } // namespace CGAL::Extremal_mesh_3
