@@ -45,8 +45,8 @@ std::string text_voxels() {
   return all;
 }
 
-std::vector<float> expected_voxels() {
-  std::vector<float> all;
+Voxels expected_voxels() {
+  Voxels all;
   for (std::size_t i = 0; i < n; ++i)
     all.push_back(static_cast<float>(3 * i % 100));
   return all;

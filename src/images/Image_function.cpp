@@ -102,7 +102,7 @@ void check_sigma(double sigma, const Vector& spacing, const std::array<std::size
                                             sigma, most_voxels, least));
 }
 
-void check_iso(double iso, const std::vector<float>& voxels) {
+void check_iso(double iso, const Voxels& voxels) {
   float low = voxels[0], high = voxels[0];
   for (std::size_t i = 0; i < voxels.size(); ++i) {
     if (!std::isfinite(voxels[i]))

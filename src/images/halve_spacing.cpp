@@ -36,7 +36,7 @@ void halve_spacing(Image& image, std::size_t axis) {
   for (double& x : image.lattice.step[axis])
     x /= 2;
   image.lattice.size = size;
-  std::vector<float> voxels(size[0] * size[1] * size[2]);
+  Voxels voxels(size[0] * size[1] * size[2], image.voxels.get_allocator());
   const auto stride_in = [&](const auto& s) { return axis == 0 ? 1 : axis == 1 ? s[0] : s[0] * s[1]; };
   const std::size_t in_stride = stride_in(old_size), out_stride = stride_in(size);
   const std::size_t lines = image.voxels.size() / n;

@@ -3,7 +3,9 @@
 #ifndef CGAL_EXTREMAL_MESH_3_SRC_IMAGES_IMAGE_HEADERS_H
 #define CGAL_EXTREMAL_MESH_3_SRC_IMAGES_IMAGE_HEADERS_H
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 
@@ -25,6 +27,7 @@ struct Stored_voxels {
   std::uint64_t bytes_per_voxel = 0; ///< 0: those of the type that ITK reports
   bool are_floats = false;           ///< `bytes_per_voxel` being 4 or 8: their finiteness is to be checked
   bool are_swapped = false;          ///< in the byte order that is not the machine's
+  bool is_plain = true;              ///< binary; nothing is skipped, scaled or added that only ITK knows of
 };
 
 /// looks through a header and finds the voxels.
@@ -34,9 +37,19 @@ Stored_voxels find_meta_voxels(const std::string& file);
 Stored_voxels find_nifti_voxels(const std::string& file);
 Stored_voxels find_vtk_voxels(const std::string& file);
 
+/// checks that the file is large enough to hold as many voxels, compressed as well as can be, without reading it.
+/// \throws std::runtime_error saying what is wrong, without the file's name
+void require_possible_size(const Stored_voxels& stored, std::uint64_t voxels, std::uint64_t bytes_per_voxel);
+
 /// checks that there are as many voxels as the header says, reading compressed and text files to the end.
 /// \throws std::runtime_error saying what is wrong, without the file's name
 void require_complete(const Stored_voxels& stored, std::uint64_t voxels, std::uint64_t bytes_per_voxel);
+
+/// reads binary voxels from the first to the last, a piece at a time.
+/// \param use  gets the bytes of one or more voxels, and how many voxels they are
+/// \throws std::runtime_error if there are fewer
+void for_each_piece(const Stored_voxels& stored, std::uint64_t voxels, std::size_t bytes_per_voxel,
+                    const std::function<void(const char* bytes, std::size_t count)>& use);
 
 } // namespace CGAL::Extremal_mesh_3
 

@@ -132,6 +132,8 @@ Stored_voxels find_nifti_voxels(const std::string& file) {
   stored.are_floats = type == 16 || type == 64;
   stored.are_swapped = header.is_swapped();
   stored.encoding = compressed ? Stored_voxels::Encoding::compressed : Stored_voxels::Encoding::raw;
+  const float slope = header.get<float>(112), intercept = header.get<float>(116);
+  stored.is_plain = slope == 0 || (slope == 1 && intercept == 0);
   const auto offset = static_cast<double>(header.get<float>(108));
   if (!(offset >= 0 && offset < 1e9))
     throw std::runtime_error(fmt::format("its voxels begin at byte {}", offset));

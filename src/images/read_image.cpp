@@ -16,8 +16,11 @@
 #include <itkVTKImageIO.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -152,61 +155,84 @@ std::uint64_t number_of_voxels(const Lattice& lattice) {
   return n;
 }
 
-template <typename T> void convert(const std::vector<char>& bytes, std::vector<float>& voxels) {
-  for (std::size_t i = 0; i < voxels.size(); ++i) {
-    T value;
-    std::memcpy(&value, bytes.data() + i * sizeof(T), sizeof(T));
-    voxels[i] = static_cast<float>(value);
-  }
-}
-
-void convert(Component component, const std::vector<char>& bytes, std::vector<float>& voxels) {
+/// calls use(Number()) for the type of number that the components have.
+template <class Use> void with_number(Component component, const Use& use) {
   switch (component) {
   case Component::UCHAR:
-    return convert<unsigned char>(bytes, voxels);
+    return use(static_cast<unsigned char>(0));
   case Component::CHAR:
-    return convert<signed char>(bytes, voxels);
+    return use(static_cast<signed char>(0));
   case Component::USHORT:
-    return convert<unsigned short>(bytes, voxels);
+    return use(static_cast<unsigned short>(0));
   case Component::SHORT:
-    return convert<short>(bytes, voxels);
+    return use(static_cast<short>(0));
   case Component::UINT:
-    return convert<unsigned int>(bytes, voxels);
+    return use(0U);
   case Component::INT:
-    return convert<int>(bytes, voxels);
+    return use(0);
   case Component::ULONG:
-    return convert<unsigned long>(bytes, voxels);
+    return use(0UL);
   case Component::LONG:
-    return convert<long>(bytes, voxels);
+    return use(0L);
   case Component::ULONGLONG:
-    return convert<unsigned long long>(bytes, voxels);
+    return use(0ULL);
   case Component::LONGLONG:
-    return convert<long long>(bytes, voxels);
+    return use(0LL);
+  case Component::FLOAT:
+    return use(0.0F);
   case Component::DOUBLE:
-    return convert<double>(bytes, voxels);
+    return use(0.0);
   default:
     throw std::runtime_error("the type of its voxels is not supported");
   }
 }
 
-std::vector<float> read_voxels(itk::ImageIOBase& io, std::size_t n) {
+void read_by_itk(itk::ImageIOBase& io, std::size_t n, Voxels& voxels) {
   itk::ImageIORegion region(io.GetNumberOfDimensions());
   for (unsigned a = 0; a < io.GetNumberOfDimensions(); ++a)
     region.SetSize(a, io.GetDimensions(a));
   io.SetIORegion(region);
-
-  std::vector<float> voxels(n);
+  voxels.resize(n);
   if (io.GetComponentType() == Component::FLOAT)
-    io.Read(voxels.data());
-  else {
-    std::vector<char> bytes(n * io.GetComponentSize());
-    io.Read(bytes.data());
-    convert(io.GetComponentType(), bytes, voxels);
-  }
-  for (std::size_t i = 0; i < n; ++i)
+    return io.Read(voxels.data());
+  std::vector<char> bytes(n * io.GetComponentSize());
+  io.Read(bytes.data());
+  with_number(io.GetComponentType(), [&](auto number) {
+    for (std::size_t i = 0; i < n; ++i) {
+      std::memcpy(&number, bytes.data() + i * sizeof number, sizeof number);
+      voxels[i] = static_cast<float>(number);
+    }
+  });
+}
+
+/// reads the voxels without ITK, which takes them all at once.
+/// \param voxels  has room for them
+void read_by_pieces(const itk::ImageIOBase& io, const Stored_voxels& stored, std::size_t n, Voxels& voxels) {
+  constexpr itk::IOByteOrderEnum machine =
+      std::endian::native == std::endian::little ? itk::IOByteOrderEnum::LittleEndian : itk::IOByteOrderEnum::BigEndian;
+  const itk::IOByteOrderEnum order = io.GetByteOrder();
+  const bool swapped = stored.are_swapped || (order != machine && order != itk::IOByteOrderEnum::OrderNotApplicable);
+  with_number(io.GetComponentType(), [&](auto number) {
+    std::array<char, sizeof number> bytes_of_number;
+    std::vector<float> values;
+    for_each_piece(stored, n, sizeof number, [&](const char* bytes, std::size_t count) {
+      values.clear();
+      for (std::size_t i = 0; i < count; ++i) {
+        std::memcpy(bytes_of_number.data(), bytes + i * sizeof number, sizeof number);
+        if (swapped)
+          std::reverse(bytes_of_number.begin(), bytes_of_number.end());
+        std::memcpy(&number, bytes_of_number.data(), sizeof number);
+        values.push_back(static_cast<float>(number));
+      }
+      voxels.insert(voxels.end(), values.begin(), values.end());
+    });
+  });
+}
+
+void require_finite(const Voxels& voxels) {
+  for (std::size_t i = 0; i < voxels.size(); ++i)
     if (!std::isfinite(voxels[i]))
       throw std::runtime_error(fmt::format("its voxel {} is {}; expected a finite number", i, voxels[i]));
-  return voxels;
 }
 
 /// \throws std::runtime_error if so many bytes are more than allowed
@@ -216,6 +242,11 @@ void require_memory(double bytes, std::uint64_t limit) {
     throw std::runtime_error(
         fmt::format("to read it takes {:.0f} MB of memory, more than the {:.0f} MB that it may take", bytes / mega,
                     double(limit) / mega));
+}
+
+std::string scratch_folder(const Image_reading_options& options) {
+  const char* const usual = std::getenv("TMPDIR");
+  return !options.scratch_folder.empty() ? options.scratch_folder : usual && *usual ? usual : "/tmp";
 }
 
 Image read(const std::string& file, const Image_reading_options& options) {
@@ -235,10 +266,24 @@ Image read(const std::string& file, const Image_reading_options& options) {
     image.lattice = lattice_of(*io, format.find_voxels == find_nifti_voxels);
     const std::uint64_t n = number_of_voxels(image.lattice);
     const bool are_floats = io->GetComponentType() == Component::FLOAT; // others are read as they are first
-    require_memory(double(n) * double(sizeof(float) + (are_floats ? 0 : io->GetComponentSize())), options.memory_limit);
+    const double bytes = double(n) * double(sizeof(float) + (are_floats ? 0 : io->GetComponentSize()));
+    // What is found on the surface needs memory, too.
+    const bool by_pieces = stored.is_plain && bytes > double(options.memory_limit) / 2;
+    if (!by_pieces)
+      require_memory(bytes, options.memory_limit);
     const std::uintmax_t size = std::filesystem::file_size(stored.file);
+    if (by_pieces) { // is there room at all?
+      require_possible_size(stored, n, io->GetComponentSize());
+      image.voxels = Voxels(Voxel_allocator(scratch_folder(options)));
+      image.voxels.reserve(n);
+    }
     require_complete(stored, n, io->GetComponentSize());
-    image.voxels = read_voxels(*io, n);
+    if (by_pieces) {
+      read_by_pieces(*io, stored, n, image.voxels);
+    } else {
+      read_by_itk(*io, n, image.voxels);
+    }
+    require_finite(image.voxels);
     // ITK's readers would not tell if the data had come to an end before theirs.
     if (std::filesystem::file_size(stored.file) < size)
       throw std::runtime_error("it became shorter while it was read");

@@ -40,9 +40,9 @@ void check_finite(const std::vector<char>& bytes, std::size_t n, bool swapped, s
   }
 }
 
-// Reads the voxels as bytes, to count and check them.
-void read_through(const Stored_voxels& stored, std::uint64_t bytes, std::uint64_t bytes_per_voxel) {
-  Byte_reader reader(stored.file, stored.offset, stored.encoding == Stored_voxels::Encoding::compressed, stored.size);
+// Reads the voxels as bytes, in pieces that are whole voxels but for the last.
+template <class Use>
+void read_pieces(Byte_reader& reader, const Stored_voxels& stored, std::uint64_t bytes, const Use& use) {
   std::vector<char> buffer(chunk);
   const auto read = [&](std::uint64_t n) { return reader.read(buffer.data(), std::min<std::uint64_t>(n, chunk)); };
   for (std::uint64_t skipped = 0; skipped < stored.skipped;) {
@@ -55,12 +55,24 @@ void read_through(const Stored_voxels& stored, std::uint64_t bytes, std::uint64_
     const std::size_t n = read(bytes - done);
     if (n == 0)
       throw_truncated(bytes, done, "bytes of voxels");
+    use(buffer, n, done);
+    done += n;
+  }
+}
+
+Byte_reader reader_of(const Stored_voxels& stored) {
+  return {stored.file, stored.offset, stored.encoding == Stored_voxels::Encoding::compressed, stored.size};
+}
+
+// Counts and checks the voxels.
+void read_through(const Stored_voxels& stored, std::uint64_t bytes, std::uint64_t bytes_per_voxel) {
+  Byte_reader reader = reader_of(stored);
+  read_pieces(reader, stored, bytes, [&](const std::vector<char>& buffer, std::size_t n, std::uint64_t done) {
     if (stored.are_floats && bytes_per_voxel == sizeof(float))
       check_finite<float>(buffer, n, stored.are_swapped, done / bytes_per_voxel);
     else if (stored.are_floats)
       check_finite<double>(buffer, n, stored.are_swapped, done / bytes_per_voxel);
-    done += n;
-  }
+  });
   // What follows the voxels is read for the checksum at the end only: a bomb is not worth it.
   switch (reader.rest(std::max<std::uint64_t>(bytes, most_after_voxels))) {
   case Byte_reader::Rest::whole:
@@ -86,12 +98,20 @@ void read_through_text(const Stored_voxels& stored, std::uint64_t voxels) {
 
 } // namespace
 
-void require_complete(const Stored_voxels& stored, std::uint64_t voxels, std::uint64_t bytes_per_voxel) {
-  if (stored.encoding == Stored_voxels::Encoding::text)
-    return read_through_text(stored, voxels);
-  if (stored.bytes_per_voxel != 0)
-    bytes_per_voxel = stored.bytes_per_voxel;
+void for_each_piece(const Stored_voxels& stored, std::uint64_t voxels, std::size_t bytes_per_voxel,
+                    const std::function<void(const char* bytes, std::size_t count)>& use) {
+  Byte_reader reader = reader_of(stored);
   const std::uint64_t bytes = voxels * bytes_per_voxel;
+  read_pieces(reader, stored, bytes, [&](const std::vector<char>& buffer, std::size_t n, std::uint64_t done) {
+    // Only a file that became shorter ends within a voxel.
+    if (n % bytes_per_voxel != 0)
+      throw_truncated(bytes, done + n, "bytes of voxels");
+    use(buffer.data(), n / bytes_per_voxel);
+  });
+}
+
+void require_possible_size(const Stored_voxels& stored, std::uint64_t voxels, std::uint64_t bytes_per_voxel) {
+  const std::uint64_t bytes = voxels * (stored.bytes_per_voxel != 0 ? stored.bytes_per_voxel : bytes_per_voxel);
   std::error_code error;
   const std::uint64_t size = std::filesystem::file_size(stored.file, error);
   if (error)
@@ -100,10 +120,18 @@ void require_complete(const Stored_voxels& stored, std::uint64_t voxels, std::ui
     const std::uint64_t found = size - std::min(size, stored.offset + stored.skipped);
     if (found < bytes)
       throw_truncated(bytes, found, "bytes of voxels");
-  } else if (bytes / best_compression > size)
+  } else if (stored.encoding == Stored_voxels::Encoding::compressed && bytes / best_compression > size)
     throw_truncated(bytes, size, "bytes of voxels, compressed");
+}
+
+void require_complete(const Stored_voxels& stored, std::uint64_t voxels, std::uint64_t bytes_per_voxel) {
+  if (stored.encoding == Stored_voxels::Encoding::text)
+    return read_through_text(stored, voxels);
+  require_possible_size(stored, voxels, bytes_per_voxel);
+  if (stored.bytes_per_voxel != 0)
+    bytes_per_voxel = stored.bytes_per_voxel;
   if (stored.encoding == Stored_voxels::Encoding::compressed || stored.are_floats)
-    read_through(stored, bytes, bytes_per_voxel);
+    read_through(stored, voxels * bytes_per_voxel, bytes_per_voxel);
 }
 
 } // namespace CGAL::Extremal_mesh_3

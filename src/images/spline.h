@@ -5,6 +5,7 @@
 
 #include "lanes.h"
 
+#include <CGAL/Extremal_mesh_3/Voxels.h>
 #include <CGAL/Extremal_mesh_3/types.h>
 
 #include <algorithm>
@@ -57,7 +58,7 @@ template <int Degree, int Order, class T>
 
 /// A volume of B-spline coefficients; beyond the border each is that at the border.
 struct Spline_volume {
-  std::vector<float> coefficients; ///< the first axis fastest
+  Voxels coefficients; ///< the first axis fastest
   std::array<std::size_t, 3> size{};
 };
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
@@ -114,12 +115,15 @@ Stored_voxels find_nrrd_voxels(const std::string& file) {
         throw std::runtime_error(fmt::format("its encoding '{}' is not supported; expected raw, gzip or ascii", value));
     } else if (key == "data file" || key == "datafile") {
       stored.file = data_file(file, value);
+    } else if (key == "line skip" || key == "lineskip" || key == "byte skip" || key == "byteskip") {
+      stored.is_plain = false;
     }
   }
   if (!line && stored.file == file)
     throw std::runtime_error("it is truncated: its header has no end");
   // Lines and bytes to be skipped are left to ITK, which reports a truncated NRRD file: what matters here is the size.
   stored.offset = stored.file == file ? position(in) : 0;
+  stored.is_plain = stored.is_plain && stored.encoding != Encoding::text;
   return stored;
 }
 
@@ -184,8 +188,10 @@ Stored_voxels find_meta_voxels(const std::string& file) {
   stored.file = is_local ? file : data_file(file, data);
   stored.offset = is_local ? position(in) : 0;
   stored.encoding = is_true("CompressedData") ? Encoding::compressed : Encoding::raw;
-  if (const double skipped = parse_number(fields["HeaderSize"]).value_or(0); skipped > 0) // −1: they end the file
+  const double skipped = parse_number(fields["HeaderSize"]).value_or(0);
+  if (skipped > 0) // −1: they end the file
     stored.offset += static_cast<std::uint64_t>(skipped);
+  stored.is_plain = skipped >= 0;
   if (stored.encoding == Encoding::compressed) {
     if (const double size = parse_number(fields["CompressedDataSize"]).value_or(0); size > 0 && size < 1e18)
       stored.size = static_cast<std::uint64_t>(size);
@@ -207,6 +213,8 @@ Stored_voxels find_vtk_voxels(const std::string& file) {
   Stored_voxels stored;
   stored.file = file;
   stored.encoding = format == "ascii" ? Encoding::text : Encoding::raw;
+  stored.is_plain = stored.encoding != Encoding::text;
+  stored.are_swapped = std::endian::native == std::endian::little;
   while ((line = read_line(in))) {
     const auto parts = words(lower_case(*line));
     if (parts.empty())

@@ -92,7 +92,7 @@ Input image_input(const Extract_options& options, const Memory_limit& limit) {
         fmt::format("'{}' is taken for an image, as its name does not end like that of a mesh (.off .obj .ply "
                     ".stl .om); an image needs the value that its surface has; give --iso VALUE",
                     options.input));
-  Image image = read_image(options.input, {.memory_limit = limit.bytes()});
+  Image image = read_image(options.input, {.memory_limit = limit.bytes(), .scratch_folder = {}});
   double voxel = 0; // its largest side: what registration takes for the same place
   for (const Vector& step : image.lattice.step)
     voxel = std::max(voxel, std::hypot(step[0], step[1], step[2]));

@@ -4,12 +4,12 @@
 #define CGAL_EXTREMAL_MESH_3_IMAGE_H
 
 #include <CGAL/Extremal_mesh_3/Lattice.h>
+#include <CGAL/Extremal_mesh_3/Voxels.h>
 #include <CGAL/Extremal_mesh_3/errors.h>
 
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <vector>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -17,13 +17,17 @@ namespace CGAL::Extremal_mesh_3 {
 /// (ITK's convention; NIfTI's RAS is converted). The lattice may be left-handed.
 struct Image {
   Lattice lattice;
-  std::vector<float> voxels; ///< in the order of the lattice's nodes
+  Voxels voxels; ///< in the order of the lattice's nodes
 };
 
 /// How to read an image.
 struct Image_reading_options {
-  /// an image that takes more bytes of memory while it is read is refused before they are taken
+  /// The voxels of an image that takes more than half of so many bytes of memory while it is read are kept in a temporary file
+  /// instead, mapped into memory (`Voxel_allocator`), and read piece by piece. Images stored as text, scaled (NIfTI), or with
+  /// bytes to skip are not: they are refused, before memory is taken, if they take more than all of it.
   std::uint64_t memory_limit = std::numeric_limits<std::uint64_t>::max();
+  /// of temporary files; empty: the system's, which the environment variable TMPDIR names
+  std::string scratch_folder;
 };
 
 /// reads a 3D scalar image: NRRD (.nrrd, .nhdr; raw, gzip or ascii), MetaImage (.mha, .mhd; raw or compressed), NIfTI-1
