@@ -90,7 +90,9 @@ void accuracy() {
   constexpr std::size_t n = Waves::size, margin = Waves::margin;
   Image_function_options options = smoothing(1);
   options.iso = 0;
-  const Image_function f({{{0, 0, 0}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {n, n, n}}, waves.voxels()}, options);
+  const std::vector<float> voxels = waves.voxels();
+  const Image_function f({{{0, 0, 0}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {n, n, n}}, {voxels.begin(), voxels.end()}},
+                         options);
   Relative_error error;
   Derivatives d;
   for (std::size_t k = margin; k < n - margin; ++k)

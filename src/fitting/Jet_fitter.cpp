@@ -51,7 +51,7 @@ void Jet_fitter::add(Task task, Vertex_shapes& result) {
       q.state = Fit_state::too_few_points;
       q.points = std::uint32_t(task.points);
       q.radius = task.extent.radius;
-      result.quality[task.vertex] = q;
+      result.quality[task.entry] = q;
       return;
     }
   tasks_[batch_.size() - 1] = task;
@@ -63,7 +63,7 @@ void Jet_fitter::add(Task task, Vertex_shapes& result) {
 bool Jet_fitter::begin_again(Task& task) {
   if (task.begun_again)
     return false;
-  Task again{task.vertex, task.first_extent, task.first_extent};
+  Task again{task.vertex, task.entry, task.first_extent, task.first_extent};
   again.begun_again = true;
   for (const std::uint32_t w : adjacency_[task.vertex])
     again.normal = again.normal + vertices_[w].area * vertices_[w].n;
@@ -140,7 +140,7 @@ void Jet_fitter::fit_batch(Vertex_shapes& result) {
     const Jet& jet = jets[l];
     Task task = tasks[l];
     const double scale = task.frame.scale;
-    Fit_quality& q = result.quality[task.vertex];
+    Fit_quality& q = result.quality[task.entry];
     q = {};
     q.points = std::uint32_t(task.points);
     q.radius = scale;
@@ -163,7 +163,7 @@ void Jet_fitter::fit_batch(Vertex_shapes& result) {
     const double noise = std::max(jet.noise, rounding_ / scale);
     q.L_error = noise * jet.second_error / scale;
     q.C_error = noise * jet.third_error / (scale * scale);
-    shape_of_jet(jet, task.frame, result.shapes[task.vertex], result.fourth[task.vertex]);
+    shape_of_jet(jet, task.frame, result.shapes[task.entry], result.fourth[task.entry]);
   }
 }
 

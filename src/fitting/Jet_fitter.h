@@ -25,8 +25,10 @@ public:
 
   /// fits a jet at v, now or when others come, and writes its entries of `result`.
   /// \param extent  of its neighbourhood to begin with
-  void fit(std::uint32_t v, Extent extent, Vertex_shapes& result) {
-    Task task{v, extent, extent};
+  void fit(std::uint32_t v, Extent extent, Vertex_shapes& result) { fit(v, extent, result, v); }
+  /// \param entry  which entries of `result` are written
+  void fit(std::uint32_t v, Extent extent, Vertex_shapes& result, std::uint32_t entry) {
+    Task task{v, entry, extent, extent};
     task.normal = vertices_[v].n;
     add(task, result);
   }
@@ -43,7 +45,7 @@ public:
 private:
   /// A vertex on its way to a jet.
   struct Task {
-    std::uint32_t vertex = 0;
+    std::uint32_t vertex = 0, entry = 0;
     Extent extent, first_extent;
     Vector normal{}; ///< of the sheet at the vertex
     bool begun_again = false;

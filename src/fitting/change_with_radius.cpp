@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <span>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -51,21 +52,24 @@ void find_change_with_radius(const Fit_input& input, Thread_pool& pool, Vertex_s
       candidates.push_back(v);
   if (candidates.empty())
     return;
-  Vertex_shapes wide;
-  wide.shapes.resize(shapes.shapes.size());
-  wide.fourth.resize(shapes.shapes.size());
-  wide.quality.resize(shapes.shapes.size());
   tbb::enumerable_thread_specific<Jet_fitter> fitters(
       [&] { return Jet_fitter(input.vertices, input.adjacency, input.rounding); });
   pool.for_each((candidates.size() + block - 1) / block, 1, [&](std::size_t b) {
     Jet_fitter& fitter = fitters.local();
-    for (std::size_t i = b * block; i < std::min(candidates.size(), (b + 1) * block); ++i)
-      fitter.fit(candidates[i], {wider * shapes.quality[candidates[i]].radius, 0}, wide);
+    const std::span of_block = std::span(candidates).subspan(b * block, std::min(block, candidates.size() - b * block));
+    Vertex_shapes wide;
+    wide.shapes.resize(of_block.size());
+    wide.fourth.resize(of_block.size());
+    wide.quality.resize(of_block.size());
+    for (std::uint32_t i = 0; i < of_block.size(); ++i)
+      fitter.fit(of_block[i], {wider * shapes.quality[of_block[i]].radius, 0}, wide, i);
     fitter.finish(wide);
+    for (std::uint32_t i = 0; i < of_block.size(); ++i) {
+      const std::uint32_t v = of_block[i];
+      if (wide.quality[i].state == Fit_state::fitted && dot(shapes.shapes[v].n, wide.shapes[i].n) > 0)
+        shapes.quality[v].C_change = difference_of_C(shapes.shapes[v], wide.shapes[i]);
+    }
   });
-  for (const std::uint32_t v : candidates)
-    if (wide.quality[v].state == Fit_state::fitted && dot(shapes.shapes[v].n, wide.shapes[v].n) > 0)
-      shapes.quality[v].C_change = difference_of_C(shapes.shapes[v], wide.shapes[v]);
 }
 
 } // namespace CGAL::Extremal_mesh_3
