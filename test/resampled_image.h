@@ -113,7 +113,7 @@ private:
 
   Lattice_index index_;
   std::array<std::size_t, 3> size_;
-  std::vector<float> c_;
+  Voxels c_;
   std::vector<double> line_;
 };
 

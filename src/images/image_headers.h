@@ -9,9 +9,10 @@
 #include <limits>
 #include <string>
 
-// ITK reads the images, but what is wrong with a file it keeps to itself (a truncated NIfTI or VTK file leaves the
+// ITK reads the headers, but what is wrong with a file it keeps to itself (a truncated NIfTI or VTK file leaves the
 // memory as it was, a NaN in a NIfTI file becomes 0, a spacing of NaN becomes 1) or prints (all of MetaIO). So each
-// header is looked through before ITK sees it, and the amount of data is known before memory is taken.
+// header is looked through before ITK sees it, and the amount of data is known before memory is taken. Voxels it reads
+// all at once, as they are stored, beside the floats that they become: where they are plain we read them ourselves.
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -47,7 +48,7 @@ void require_complete(const Stored_voxels& stored, std::uint64_t voxels, std::ui
 
 /// reads binary voxels from the first to the last, a piece at a time.
 /// \param use  gets the bytes of one or more voxels, and how many voxels they are
-/// \throws std::runtime_error if there are fewer
+/// \throws std::runtime_error if there are fewer, or compressed data have no end
 void for_each_piece(const Stored_voxels& stored, std::uint64_t voxels, std::size_t bytes_per_voxel,
                     const std::function<void(const char* bytes, std::size_t count)>& use);
 

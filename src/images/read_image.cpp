@@ -205,6 +205,19 @@ void read_by_itk(itk::ImageIOBase& io, std::size_t n, Voxels& voxels) {
   });
 }
 
+/// turns `count` numbers of type Number, as they are in a file, into floats.
+template <class Number> void convert(const char* bytes, std::size_t count, bool swapped, float* out) {
+  std::array<char, sizeof(Number)> bytes_of_number;
+  Number number;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::memcpy(bytes_of_number.data(), bytes + i * sizeof(Number), sizeof(Number));
+    if (swapped)
+      std::reverse(bytes_of_number.begin(), bytes_of_number.end());
+    std::memcpy(&number, bytes_of_number.data(), sizeof(Number));
+    out[i] = static_cast<float>(number);
+  }
+}
+
 /// reads the voxels without ITK, which takes them all at once.
 /// \param voxels  has room for them
 void read_by_pieces(const itk::ImageIOBase& io, const Stored_voxels& stored, std::size_t n, Voxels& voxels) {
@@ -212,18 +225,11 @@ void read_by_pieces(const itk::ImageIOBase& io, const Stored_voxels& stored, std
       std::endian::native == std::endian::little ? itk::IOByteOrderEnum::LittleEndian : itk::IOByteOrderEnum::BigEndian;
   const itk::IOByteOrderEnum order = io.GetByteOrder();
   const bool swapped = stored.are_swapped || (order != machine && order != itk::IOByteOrderEnum::OrderNotApplicable);
+  std::vector<float> values;
   with_number(io.GetComponentType(), [&](auto number) {
-    std::array<char, sizeof number> bytes_of_number;
-    std::vector<float> values;
     for_each_piece(stored, n, sizeof number, [&](const char* bytes, std::size_t count) {
-      values.clear();
-      for (std::size_t i = 0; i < count; ++i) {
-        std::memcpy(bytes_of_number.data(), bytes + i * sizeof number, sizeof number);
-        if (swapped)
-          std::reverse(bytes_of_number.begin(), bytes_of_number.end());
-        std::memcpy(&number, bytes_of_number.data(), sizeof number);
-        values.push_back(static_cast<float>(number));
-      }
+      values.resize(count);
+      convert<decltype(number)>(bytes, count, swapped, values.data());
       voxels.insert(voxels.end(), values.begin(), values.end());
     });
   });
@@ -265,26 +271,23 @@ Image read(const std::string& file, const Image_reading_options& options) {
     Image image;
     image.lattice = lattice_of(*io, format.find_voxels == find_nifti_voxels);
     const std::uint64_t n = number_of_voxels(image.lattice);
-    const bool are_floats = io->GetComponentType() == Component::FLOAT; // others are read as they are first
-    const double bytes = double(n) * double(sizeof(float) + (are_floats ? 0 : io->GetComponentSize()));
-    // What is found on the surface needs memory, too.
-    const bool by_pieces = stored.is_plain && bytes > double(options.memory_limit) / 2;
-    if (!by_pieces)
-      require_memory(bytes, options.memory_limit);
     const std::uintmax_t size = std::filesystem::file_size(stored.file);
-    if (by_pieces) { // is there room at all?
+    if (stored.is_plain) {
       require_possible_size(stored, n, io->GetComponentSize());
-      image.voxels = Voxels(Voxel_allocator(scratch_folder(options)));
+      // What is found on the surface needs memory, too.
+      if (double(n) * sizeof(float) > double(options.memory_limit) / 2)
+        image.voxels = Voxels(Voxel_allocator(scratch_folder(options)));
       image.voxels.reserve(n);
-    }
-    require_complete(stored, n, io->GetComponentSize());
-    if (by_pieces) {
       read_by_pieces(*io, stored, n, image.voxels);
     } else {
+      const bool are_floats = io->GetComponentType() == Component::FLOAT; // others are read as they are first
+      require_memory(double(n) * double(sizeof(float) + (are_floats ? 0 : io->GetComponentSize())),
+                     options.memory_limit);
+      require_complete(stored, n, io->GetComponentSize());
       read_by_itk(*io, n, image.voxels);
     }
     require_finite(image.voxels);
-    // ITK's readers would not tell if the data had come to an end before theirs.
+    // Neither we nor ITK's readers would always tell if the data had come to an end before theirs.
     if (std::filesystem::file_size(stored.file) < size)
       throw std::runtime_error("it became shorter while it was read");
     return image;

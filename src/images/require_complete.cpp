@@ -64,6 +64,18 @@ Byte_reader reader_of(const Stored_voxels& stored) {
   return {stored.file, stored.offset, stored.encoding == Stored_voxels::Encoding::compressed, stored.size};
 }
 
+// What follows the voxels is read for the checksum at the end only: a bomb is not worth it.
+void require_end(Byte_reader& reader, std::uint64_t bytes) {
+  switch (reader.rest(std::max<std::uint64_t>(bytes, most_after_voxels))) {
+  case Byte_reader::Rest::whole:
+    return;
+  case Byte_reader::Rest::truncated:
+    throw std::runtime_error("it is truncated: its compressed data have no end");
+  case Byte_reader::Rest::long_one:
+    throw std::runtime_error(fmt::format("its compressed data go on long after the {} bytes of its voxels", bytes));
+  }
+}
+
 // Counts and checks the voxels.
 void read_through(const Stored_voxels& stored, std::uint64_t bytes, std::uint64_t bytes_per_voxel) {
   Byte_reader reader = reader_of(stored);
@@ -73,15 +85,7 @@ void read_through(const Stored_voxels& stored, std::uint64_t bytes, std::uint64_
     else if (stored.are_floats)
       check_finite<double>(buffer, n, stored.are_swapped, done / bytes_per_voxel);
   });
-  // What follows the voxels is read for the checksum at the end only: a bomb is not worth it.
-  switch (reader.rest(std::max<std::uint64_t>(bytes, most_after_voxels))) {
-  case Byte_reader::Rest::whole:
-    return;
-  case Byte_reader::Rest::truncated:
-    throw std::runtime_error("it is truncated: its compressed data have no end");
-  case Byte_reader::Rest::long_one:
-    throw std::runtime_error(fmt::format("its compressed data go on long after the {} bytes of its voxels", bytes));
-  }
+  require_end(reader, bytes);
 }
 
 void read_through_text(const Stored_voxels& stored, std::uint64_t voxels) {
@@ -108,6 +112,7 @@ void for_each_piece(const Stored_voxels& stored, std::uint64_t voxels, std::size
       throw_truncated(bytes, done + n, "bytes of voxels");
     use(buffer.data(), n / bytes_per_voxel);
   });
+  require_end(reader, bytes);
 }
 
 void require_possible_size(const Stored_voxels& stored, std::uint64_t voxels, std::uint64_t bytes_per_voxel) {

@@ -182,6 +182,8 @@ Stored_voxels find_meta_voxels(const std::string& file) {
     throw std::runtime_error("its voxels are stored as text, which is not supported for MetaImage");
 
   Stored_voxels stored;
+  const bool is_big_endian = is_true("BinaryDataByteOrderMSB") || is_true("ElementByteOrderMSB");
+  stored.are_swapped = is_big_endian == (std::endian::native == std::endian::little);
   const std::string& data = fields["ElementDataFile"];
   const bool is_local =
       data == "LOCAL" || data == "Local" || data == "local"; // MetaIO takes other spellings for a file
