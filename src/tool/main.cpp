@@ -56,6 +56,7 @@ void add_look(CLI::App& command, tool::Output_options& options) {
     return command.add_option(name, value, text)->type_name(type);
   };
   option("--colour", options.colour, "sign|cell", "of cells: two tints by the sign of E_g, or one for each (sign)");
+  option("--show", options.show, "all|crest|surface", "in pictures: all, the crest lines alone, or no line (all)");
   option("--view,--camera", options.view, "DX DY DZ", "the direction of sight of pages and pictures");
   option("--up", options.up, "DX DY DZ", "what points upwards in them (0 0 1)");
   option("--size", options.size, "WIDTHxHEIGHT", "of the picture in pixels (1600x1200)");
