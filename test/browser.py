@@ -51,6 +51,8 @@ class Page:
     def __exit__(self, *_):
         self.browser.kill()
         self.browser.wait()
+        os.close(self.to)
+        os.close(self.of)
         self.profile.cleanup()
 
     def receive(self):
