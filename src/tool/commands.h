@@ -35,6 +35,7 @@ struct Output_options {
   std::string size;    ///< "WIDTHxHEIGHT"; empty: the renderer's own
   int threads = 0;
   bool quiet = false;
+  bool json = false; ///< print one JSON object instead of text
 };
 
 struct Extract_options : Output_options {
