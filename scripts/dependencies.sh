@@ -10,8 +10,9 @@ packages=(
   libinsighttoolkit5-dev libcli11-dev
   libcgal-dev libeigen3-dev libopenmesh-dev
   # to test
-  libgtest-dev python3 python3-networkx
-  python3-vtk9 chromium dpkg-dev groff-base
+  libgtest-dev python3 python3-networkx python3-igraph
+  meshlab xvfb xauth
+  python3-vtk9 chromium dpkg-dev groff-base doxygen
   pybind11-dev python3-dev python3-numpy python3-pytest
 )
 
