@@ -13,7 +13,7 @@ packages=(
   libgtest-dev python3 python3-networkx python3-igraph
   meshlab xvfb xauth
   python3-vtk9 chromium dpkg-dev groff-base doxygen
-  pybind11-dev python3-dev python3-numpy python3-pytest
+  pybind11-dev python3-dev python3-numpy python3-pytest python3-pip python3-setuptools python3-wheel
 )
 
 # installs the packages that are missing. Elsewhere than on Debian and its kin, CMake tells what it does not find.
