@@ -3,18 +3,12 @@
 find_program(EXTREMAL_MESH_3_DOC_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_package(Doxygen 1.9.4 QUIET)
 
-# in the order in which they are read
+# in the order in which they are read; a test looks whether all of doc/*.md are here
 set(doc_pages manual shell library inputs queries simplification registration scale_space guarantees performance
               troubleshooting file_formats tutorial_slicer tutorial_meshlab tutorial_program gallery mathematics
               architecture history bibliography)
 list(TRANSFORM doc_pages PREPEND ${PROJECT_SOURCE_DIR}/doc/)
 list(TRANSFORM doc_pages APPEND .md)
-file(GLOB doc_found ${PROJECT_SOURCE_DIR}/doc/*.md)
-foreach(page IN LISTS doc_found)
-  if(NOT page IN_LIST doc_pages)
-    message(FATAL_ERROR "${page} is in no list: add it to doc_pages in cmake/Extremal_mesh_3_doc.cmake")
-  endif()
-endforeach()
 list(JOIN doc_pages " \\\n                         " doc_pages)
 set(doc_output ${PROJECT_BINARY_DIR}/doc)
 configure_file(${PROJECT_SOURCE_DIR}/doc/Doxyfile.in ${doc_output}/Doxyfile @ONLY)
