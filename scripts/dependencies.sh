@@ -10,9 +10,10 @@ packages=(
   libinsighttoolkit5-dev libcli11-dev
   libcgal-dev libeigen3-dev libopenmesh-dev
   # to test
-  libgtest-dev python3 python3-networkx
-  python3-vtk9 chromium dpkg-dev groff-base
-  pybind11-dev python3-dev python3-numpy python3-pytest
+  libgtest-dev python3 python3-networkx python3-igraph
+  meshlab xvfb xauth
+  python3-vtk9 chromium dpkg-dev groff-base doxygen
+  pybind11-dev python3-dev python3-numpy python3-pytest python3-pip python3-setuptools python3-wheel
 )
 
 # installs the packages that are missing. Elsewhere than on Debian and its kin, CMake tells what it does not find.

@@ -21,7 +21,7 @@ def find_browser():
 class Page:
     """A page in a browser of its own. `errors` has what its console complained of."""
 
-    def __init__(self, file, width=1280, height=860, seconds=120):
+    def __init__(self, file, width=1280, height=860, seconds=600):
         self.errors, self.number, self.buffer, self.deadline = [], 0, b"", time.monotonic() + seconds
         self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         to_read, self.to = os.pipe()
@@ -51,6 +51,8 @@ class Page:
     def __exit__(self, *_):
         self.browser.kill()
         self.browser.wait()
+        os.close(self.to)
+        os.close(self.of)
         self.profile.cleanup()
 
     def receive(self):

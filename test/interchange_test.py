@@ -3,7 +3,7 @@
 """interchange_test.py PROGRAM WORK_FOLDER
 
 Reads what 'extremal_mesh convert' writes with the programs that it is for, and compares with the GraphML that NetworkX reads.
-Exit code 77: NetworkX or VTK is missing.
+Exit code 77: igraph, NetworkX or VTK is missing.
 """
 import csv
 import json
@@ -14,6 +14,7 @@ import subprocess
 import sys
 
 try:
+    import igraph
     import networkx
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkIOGeometry import vtkOBJReader
@@ -23,7 +24,7 @@ try:
     from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
     import vtkmodules.vtkRenderingOpenGL2  # the importer needs it
 except ImportError as error:
-    print(f"skipped: {error}; python3-networkx and python3-vtk9 bring it")
+    print(f"skipped: {error}; python3-igraph, python3-networkx and python3-vtk9 bring it")
     sys.exit(77)
 
 program, work = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
@@ -58,6 +59,13 @@ polyline = [list(zip(*[iter(map(float, e["polyline"].split()))] * 3)) for e in e
 segments = sum(len(p) - 1 for p in polyline)
 inner = sum(len(p) - 2 for p in polyline)
 assert len(node) > 10 and len(edge) > 16 and len({e["type"] for e in edge}) == 4
+
+# igraph reads the same graph
+other = igraph.Graph.Read_GraphML(str(work / "g.graphml"))
+assert (other.vcount(), other.ecount()) == (len(node), len(edge)) and other.is_connected() == networkx.is_connected(graph)
+assert [(v["x"], v["y"], v["z"]) for v in other.vs] == points and other.vs["kind"] == [d["kind"] for d in node]
+assert [set(e.tuple) for e in other.es] == [e["ends"] for e in edge] and other.es["strength"] == [e["strength"] for e in edge]
+assert other.degree() == [int(d) for d in other.vs["degree"]]
 
 # OBJ: VTK has all lines, with the points to the last bit (VTK's are floats)
 reader = vtkOBJReader()

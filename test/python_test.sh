@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # python_test.sh CMAKE SOURCE_FOLDER WORK_FOLDER
-# Builds the Python module, for which the library must be position independent and is built once more, and runs its tests.
-# Exit code 77: what it needs is missing.
+# Builds the Python module, for which the library must be position independent and is built once more, and runs its tests; then installs it
+# by CMake, and by pip from a wheel. Exit code 77: what it needs is missing.
 set -euo pipefail
 cmake=$1 source=$2 work=$3
 /usr/bin/python3 -c 'import numpy, pytest' 2>/dev/null && [[ -e /usr/lib/cmake/pybind11 || -e /usr/share/cmake/pybind11 ]] ||
@@ -14,12 +14,34 @@ cmake=$1 source=$2 work=$3
   -DEXTREMAL_MESH_3_BUILD_PYTHON=ON -DEXTREMAL_MESH_3_BUILD_TESTS=OFF -DEXTREMAL_MESH_3_BUILD_EXAMPLES=OFF >"$work.configure.log"
 "$cmake" --build "$work/build" >"$work.build.log" || { tail -30 "$work.build.log"; exit 1; }
 cd "$work/build"
-ctest -R '^python$' --no-tests=error --output-on-failure
+ctest -R '^python' --no-tests=error --output-on-failure
 
 # An installed module is found and works, away from the sources.
 "$cmake" --install . --prefix "$work/installed" >"$work.install.log"
-cd "$work"
-PYTHONPATH=$work/installed/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -c '
-import extremal_mesh as em
+try() { # FOLDER: a module that is installed there
+  (cd "$work" && PYTHONPATH=$1 PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -c '
+import sys, extremal_mesh as em
+assert em.__file__.startswith(sys.argv[1]), em.__file__
 mesh = em.extract("x^2/9 + y^2/4 + z^2 = 1", box=(-4, -3, -2, 4, 3, 2))
-assert repr(mesh) == "<ExtremalMesh: 10 vertices, 16 edges, 8 cells>", mesh'
+assert repr(mesh) == "<ExtremalMesh: 10 vertices, 16 edges, 8 cells>", mesh' "$1")
+}
+try "$work/installed/lib/python3/dist-packages"
+
+# The same by pip, which finds everything compiled in the build folder. Nothing is left in the tree.
+if ! /usr/bin/python3 -c 'import pip, wheel, setuptools' 2>/dev/null; then
+  echo "no wheel was made: python3-pip, python3-setuptools and python3-wheel bring what is missing"
+  exit 0
+fi
+before=$(cd "$source" && ls -A)
+rm -rf "$work/wheels" "$work/site"
+EXTREMAL_MESH_3_PYTHON_BUILD_DIR=$work/build CMAKE_ARGS=-DEXTREMAL_MESH_3_WARNINGS_AS_ERRORS=ON PYTHONDONTWRITEBYTECODE=1 \
+  /usr/bin/python3 -m pip --disable-pip-version-check wheel "$source" --no-build-isolation --no-deps --wheel-dir "$work/wheels" \
+  >"$work.wheel.log" 2>&1 || { tail -30 "$work.wheel.log"; exit 1; }
+[[ $(cd "$source" && ls -A) == "$before" && ! -e $source/python/extremal_mesh.egg-info ]]
+wheel=$(echo "$work"/wheels/extremal_mesh-*.whl)
+/usr/bin/python3 -m zipfile -l "$wheel" | awk '{ print $1 }' >"$work/wheel.txt"
+for file in extremal_mesh/__init__.py extremal_mesh/_core.pyi extremal_mesh/py.typed; do
+  grep -qx "$file" "$work/wheel.txt" || { echo "$file is not in $wheel"; exit 1; }
+done
+/usr/bin/python3 -m pip --disable-pip-version-check install --no-deps --no-index --target "$work/site" "$wheel" >"$work.pip.log" 2>&1
+try "$work/site"

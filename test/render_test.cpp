@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <cstdlib>
+
 using namespace CGAL::Extremal_mesh_3;
 
 namespace {
@@ -116,6 +118,27 @@ TEST(Render, umbilics_are_coloured_by_type) {
   const Pixel p = png.at(width / 2, height / 2);
   EXPECT_GT(p[1], p[0] + 50); // a lemon is green
   EXPECT_GT(p[1], p[2] + 50);
+}
+
+TEST(Render, crest_lines_alone_leave_out_other_lines_and_vertices) {
+  Render_options options = along_y();
+  options.lines = Shown_lines::crest;
+  const Png png = rendered(hand_made::ellipsoid(), hand_made::octants(), options);
+  EXPECT_EQ(seen_at(png, 0.4, 0), (Pixel{255, 140, 0})); // z = 0: max_largest
+  EXPECT_NE(seen_at(png, 0, 0.4), (Pixel{12, 60, 170})); // x = 0: min_second
+  EXPECT_EQ(seen_at(png, 0, 0), (Pixel{255, 140, 0}));   // the line goes on where the extremal point is
+}
+
+TEST(Render, the_surface_alone_has_its_tints_only) {
+  Render_options options = along_y();
+  options.lines = Shown_lines::none;
+  const Png png = rendered(hand_made::ellipsoid(), hand_made::octants(), options);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const Pixel p = png.at(x, y);
+      EXPECT_LT(std::abs(p[0] - p[2]), 80) << x << ", " << y; // lines and dots of umbilics are more colourful
+    }
+  EXPECT_TRUE(is_cool(seen_at(png, 0.4, 0.05)) && is_warm(seen_at(png, 0.4, -0.05)));
 }
 
 TEST(Render, what_is_behind_the_surface_is_not_seen) {

@@ -135,6 +135,29 @@ with browser.Page(work / "e.html") as page:
     assert page.evaluate(f"Math.hypot({viewer}.placeOf({points[top]})[0] - {x}, {viewer}.placeOf({points[top]})[1] - {y})") > 5
     assert page.errors == [], page.errors
 
+# the slider of the simplification: each of its levels is what 'simplify' makes
+run("extract", "--formula", "x^2/9 + y^2/4 + z^2 + 0.001*sin(9*x)*cos(8*y + 1) = 1", "--box", "-4", "-3", "-2", "4", "3", "2", "--resolution", "32",
+    "-o", "wavy.graphml", "--cells", "wavy.ply", "-o", "wavy.html", "--quiet")
+with browser.Page(work / "wavy.html") as page:
+    levels = page.evaluate(f"[...{viewer}.data.levels.level]")
+    assert levels == sorted(set(levels)) and levels[0] == 0 and 15 < len(levels) <= 25, levels
+    whole = page.screenshot()
+    page.evaluate(f"{viewer}.setVisible('anchor', true)")
+    for i in (0, len(levels) // 2, len(levels) - 1):
+        run("simplify", "wavy.graphml", "--level", str(levels[i]), "-o", "level.json", "--quiet")
+        level = json.loads((work / "level.json").read_text())
+        page.evaluate(f"(() => {{ const s = document.querySelector('input[data-key=level]'); s.value = {i};"
+                      " s.dispatchEvent(new Event('input')); })()")
+        segments = {tuple(sorted((tuple(a), tuple(b)))) for e in level["edges"] for a, b in zip(e["polyline"], e["polyline"][1:])}
+        assert page.evaluate(f"{viewer}.seen()") == {"segments": len(segments), "vertices": len(level["vertices"])}, levels[i]
+        assert page.evaluate(f"{viewer}.data.levels.cells[{i}]") == len(level["cells"])
+    shown = page.evaluate("document.querySelector('input[data-key=level]').parentElement.innerText").replace("\n", " ")
+    assert f"{len(level['cells'])} cells" in shown, shown
+    assert page.screenshot() != whole
+    page.evaluate(f"{viewer}.setLevel(0), {viewer}.setVisible('anchor', false)")
+    page.settle()
+    assert page.errors == [], page.errors
+
 # without a surface the lines are shown alone, those on the far side faded
 run("view", "e.graphml", "-o", "lines.html")
 with browser.Page(work / "lines.html") as page:

@@ -3,7 +3,7 @@
 #ifndef EXTREMAL_MESH_3_SRC_RENDER_PICTURE_H
 #define EXTREMAL_MESH_3_SRC_RENDER_PICTURE_H
 
-#include <CGAL/Extremal_mesh_3/Extremal_mesh.h>
+#include <CGAL/Extremal_mesh_3/render.h>
 
 #include <cstdint>
 #include <span>
@@ -37,9 +37,9 @@ private:
   std::vector<std::uint8_t> bytes_;
 };
 
-/// writes the names and colours of the types of lines and vertices that a mesh has into the lower left corner, if there
-/// is room.
-void draw_legend(Picture& picture, const Extremal_mesh& mesh);
+/// writes the names and colours of the types of lines and vertices that a mesh has, and that are shown, into the lower left
+/// corner, if there is room.
+void draw_legend(Picture& picture, const Extremal_mesh& mesh, Shown_lines shown);
 
 } // namespace CGAL::Extremal_mesh_3
 

@@ -17,7 +17,11 @@ struct Entry {
   bool is_line;
 };
 
-std::vector<Entry> entries_for(const Extremal_mesh& mesh) {
+std::vector<Entry> entries_for(const Extremal_mesh& mesh, Shown_lines shown) {
+  if (shown == Shown_lines::none)
+    return {};
+  if (shown == Shown_lines::crest)
+    return {{to_string(Line_type::max_largest), line_colour(Line_type::max_largest), true}};
   std::array<bool, 4> lines{};
   for (std::size_t e = 0; e < mesh.number_of_edges(); ++e)
     for (const Line_type type : mesh.edge(e).segment_types)
@@ -56,8 +60,8 @@ std::vector<Entry> entries_for(const Extremal_mesh& mesh) {
 
 } // namespace
 
-void draw_legend(Picture& picture, const Extremal_mesh& mesh) {
-  const std::vector<Entry> entries = entries_for(mesh);
+void draw_legend(Picture& picture, const Extremal_mesh& mesh, Shown_lines shown) {
+  const std::vector<Entry> entries = entries_for(mesh, shown);
   const int scale = picture.width() >= 1200 ? 2 : 1;
   const int row = 12 * scale, margin = 10 * scale, swatch = 18 * scale, longest = 14 * text_width("m", scale);
   int y = picture.height() - margin - row * int(entries.size());

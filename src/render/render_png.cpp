@@ -75,9 +75,13 @@ public:
     for (std::size_t i = 0; i < polygon_rows_.size(); ++i)
       if (polygon_rows_[i].meet(canvas))
         draw_polygon(canvas, i);
+    if (options_.lines == Shown_lines::none)
+      return;
     for (std::size_t e = 0; e < line_rows_.size(); ++e)
       if (line_rows_[e].meet(canvas))
         draw_line(canvas, mesh_.edge(e));
+    if (options_.lines == Shown_lines::crest)
+      return;
     for (std::size_t v = 0; v < mesh_.number_of_vertices(); ++v)
       draw_vertex(canvas, mesh_.vertex(v));
   }
@@ -117,7 +121,8 @@ private:
       if (weak)
         for (std::size_t k = 0; k < 3; ++k)
           colour[k] = std::uint8_t((colour[k] + faint[k]) / 2);
-      canvas.stroke(from, to, radius, line_bias * radius, colour);
+      if (options_.lines == Shown_lines::all || type == Line_type::max_largest)
+        canvas.stroke(from, to, radius, line_bias * radius, colour);
       from = to;
     }
   }
@@ -176,7 +181,7 @@ void render_png(const std::string& file, const Extremal_mesh& mesh, const Cell_p
     canvas.resolve(picture.rows(first, last));
   });
   if (options.legend)
-    draw_legend(picture, mesh);
+    draw_legend(picture, mesh, options.lines);
   picture.write_png(file);
 }
 

@@ -87,6 +87,12 @@ Outputs::Outputs(const Output_options& options) {
   else if (!options.colour.empty() && options.colour != "sign")
     throw Usage_error(fmt::format("'{}' is not a way to colour cells; give --colour sign or cell", options.colour));
   render_.colouring = colouring_;
+  if (options.show == "crest")
+    render_.lines = Shown_lines::crest;
+  else if (options.show == "surface")
+    render_.lines = Shown_lines::none;
+  else if (!options.show.empty() && options.show != "all")
+    throw Usage_error(fmt::format("'{}' cannot be shown; give --show all, crest or surface", options.show));
   if (!options.size.empty()) {
     const std::string_view size = options.size;
     const std::size_t cross = std::min(size.find('x'), size.size() - 1);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <unistd.h>
@@ -27,7 +28,7 @@ void catch_signal(int signal) {
     std::signal(signal, SIG_IGN);
 }
 
-constexpr int width = 40;
+constexpr int width = 30; // the line has room in 80 columns
 constexpr auto interval = std::chrono::milliseconds(100);
 
 } // namespace
@@ -46,9 +47,23 @@ void stop_if_interrupted() {
     throw Cancelled();
 }
 
+std::string progress_line(const std::string& what, double share, double elapsed_seconds) {
+  const int filled = std::clamp(int(share * width), 0, width);
+  std::string line =
+      fmt::format("{:<10} [{:#<{}}{:.<{}}] {:3.0f} %", what, "", filled, "", width - filled, 100 * share);
+  if (elapsed_seconds < 0.5 || share < 1e-3)
+    return line;
+  const double rate = share / elapsed_seconds;
+  const auto left = std::lround(std::max(0.0, 1 - share) / rate);
+  line += fmt::format("  {:.3g} %/s  ", 100 * rate);
+  line += left < 3600 ? fmt::format("{}:{:02} left", left / 60, left % 60)
+                      : fmt::format("{}:{:02}:{:02} left", left / 3600, left / 60 % 60, left % 60);
+  return line;
+}
+
 Progress_bar::Progress_bar(std::string what, bool quiet)
     : what_(std::move(what)), visible_(!quiet && ::isatty(STDERR_FILENO) != 0),
-      next_(std::chrono::steady_clock::now() + interval) {}
+      start_(std::chrono::steady_clock::now()), next_(start_ + interval) {}
 
 Progress_bar::~Progress_bar() {
   if (drawn_)
@@ -64,10 +79,8 @@ bool Progress_bar::show(double share) {
   if (visible_ && now >= next_) {
     next_ = now + interval;
     drawn_ = true;
-    const int filled = std::clamp(int(share * width), 0, width);
-    const std::string line =
-        fmt::format("\r{:<10} [{:#<{}}{:.<{}}] {:3.0f} %", what_, "", filled, "", width - filled, 100 * share);
-    std::fputs(line.c_str(), stderr);
+    const std::string line = progress_line(what_, share, std::chrono::duration<double>(now - start_).count());
+    std::fputs(("\r" + line + "\033[K").c_str(), stderr);
     std::fflush(stderr);
   }
   return interrupted_flag == 0;

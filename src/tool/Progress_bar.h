@@ -19,6 +19,10 @@ int interrupting_signal();
 /// \throws Cancelled if there was such a signal
 void stop_if_interrupted();
 
+/// the text of a bar: what is done, a share in [0, 1] of it, how many percent are done in a second and how long the rest takes if it goes on
+/// like that. Rate and rest are told as soon as something can be said: after half a second and a thousandth of the work.
+std::string progress_line(const std::string& what, double share, double elapsed_seconds);
+
 /// A bar on standard error while something long runs, if that is a terminal. It is wiped away at the end.
 class Progress_bar {
 public:
@@ -36,7 +40,7 @@ private:
   std::string what_;
   bool visible_;
   bool drawn_ = false;
-  std::chrono::steady_clock::time_point next_;
+  std::chrono::steady_clock::time_point start_, next_;
 };
 
 } // namespace CGAL::Extremal_mesh_3::tool

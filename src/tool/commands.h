@@ -29,11 +29,13 @@ public:
 struct Output_options {
   std::vector<std::string> outputs; ///< what they are follows from their extensions
   std::string lines, cells, surface, report;
+  std::string show;    ///< in pictures: "all", "crest" or "surface"; empty: all
   std::string colour;  ///< of cells: "sign" or "cell"; empty: by sign
   Vector view{}, up{}; ///< zero: the renderer's own
   std::string size;    ///< "WIDTHxHEIGHT"; empty: the renderer's own
   int threads = 0;
   bool quiet = false;
+  bool json = false; ///< print one JSON object instead of text
 };
 
 struct Extract_options : Output_options {

@@ -109,7 +109,9 @@ int extract(const Extract_options& options) {
       input.source, input.parameters.dump(-1, ' ', false, Json::error_handler_t::replace), input.frame);
   result.checks = Extremal_mesh_3::check(result.extraction.mesh);
   outputs.write(result);
-  if (!options.quiet)
+  if (options.json)
+    fmt::print("{}\n", report_json(result));
+  else if (!options.quiet)
     fmt::print("{}", result_text(result));
   return success;
 }

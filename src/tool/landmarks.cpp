@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace CGAL::Extremal_mesh_3::tool {
 
@@ -68,8 +69,8 @@ int landmarks(const Landmarks_command_options& options) {
   Landmark_options what;
   what.most = most_of(options.most);
   what.umbilics = options.umbilics;
-  if (options.outputs.empty())
-    throw Usage_error("there is nothing to write; give -o FILE.mrk.json or -o FILE.csv");
+  if (options.outputs.empty() && !options.json)
+    throw Usage_error("there is nothing to write; give -o FILE.mrk.json or -o FILE.csv, or --json");
   for (const std::string& file : options.outputs) {
     if (!file.ends_with(".json") && !file.ends_with(".csv"))
       throw Usage_error(fmt::format("the extension of '{}' is not known; give -o a .mrk.json or a .csv", file));
@@ -79,6 +80,18 @@ int landmarks(const Landmarks_command_options& options) {
   const std::vector<Landmark> found = strongest_landmarks(mesh, what);
   for (const std::string& file : options.outputs)
     file.ends_with(".csv") ? write_landmarks_csv(file, mesh, found) : write_markups(file, mesh, found);
+  if (options.json) {
+    Json list = Json::array();
+    for (const Landmark& landmark : found)
+      list.push_back({{"id", landmark.id},
+                      {"kind", to_string(mesh.vertex(landmark.vertex).kind)},
+                      {"vertex", landmark.vertex},
+                      {"point", mesh.vertex(landmark.vertex).point},
+                      {"persistence", landmark.persistence}, // infinity becomes null
+                      {"strength", landmark.strength}});
+    fmt::print("{}\n", pretty({{"landmarks", std::move(list)}}));
+    return success;
+  }
   fmt::print("{:<10} {}\n", "landmarks", found.size());
   return success;
 }

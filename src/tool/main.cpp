@@ -56,11 +56,16 @@ void add_look(CLI::App& command, tool::Output_options& options) {
     return command.add_option(name, value, text)->type_name(type);
   };
   option("--colour", options.colour, "sign|cell", "of cells: two tints by the sign of E_g, or one for each (sign)");
+  option("--show", options.show, "all|crest|surface", "in pictures: all, the crest lines alone, or no line (all)");
   option("--view,--camera", options.view, "DX DY DZ", "the direction of sight of pages and pictures");
   option("--up", options.up, "DX DY DZ", "what points upwards in them (0 0 1)");
   option("--size", options.size, "WIDTHxHEIGHT", "of the picture in pixels (1600x1200)");
   option("--threads", options.threads, "N", "0: as many as there are cores (0)");
   command.add_flag("--quiet", options.quiet, "print errors only");
+}
+
+void add_json(CLI::App& command, tool::Output_options& options) {
+  command.add_flag("--json", options.json, "print one JSON object");
 }
 
 /// the options of all commands that write a mesh.
@@ -101,6 +106,7 @@ void add_extract(CLI::App& app, tool::Extract_options& options, std::function<in
   option("--surface", options.surface, "FILE", "write the polygonal surface used (.off)");
   option("--report", options.report, "FILE", "write counts and checks (.json)");
   add_outputs(*command, options);
+  add_json(*command, options);
   option("--max-level", options.max_level, "N", "how often a cell may be divided (20; images and meshes 8)");
   option("--max-line-level", options.max_line_level, "N",
          "the same where only the course of a line is uncertain (as --max-level; images 2)");
@@ -138,6 +144,7 @@ void add_simplify(CLI::App& app, tool::Simplify_options& options, std::function<
   option("--patches", options.cells, "FILE",
          "write the surface with the cells that are left (.ply .off); needs --surface");
   add_outputs(*command, options);
+  add_json(*command, options);
   command->footer(
       "Example:\n  extremal_mesh simplify skull.graphml --cells 300 -o simple.graphml\n"
       "  extremal_mesh simplify skull.graphml --persistence diagram.svg --hierarchy steps.csv\n"
@@ -168,6 +175,7 @@ void add_view(CLI::App& app, tool::View_command_options& options, std::function<
   option("-o,--output", options.outputs, "FILE", "a page that needs no network (.html), a picture (.png); repeatable")
       ->allow_extra_args(false);
   add_look(*command, options);
+  add_json(*command, options);
   command->footer(
       "Example:\n  extremal_mesh view skull.graphml --surface cells.ply -o skull.html\n"
       "  extremal_mesh view skull.graphml --surface cells.ply -o skull.png --camera 0.5 1 -0.2 --size 1200x900");
@@ -183,6 +191,7 @@ void add_convert(CLI::App& app, tool::View_command_options& options, std::functi
                    "the cells of GRAPH as 'extract --cells' wrote them (.ply), for what shows the surface")
       ->type_name("FILE");
   add_outputs(*command, options);
+  add_json(*command, options);
   command->footer(
       "Example:\n  extremal_mesh convert skull.graphml --surface cells.ply -o skull.vtp -o skull.edges.csv");
   command->callback([&] {

@@ -66,6 +66,7 @@ void add_landmarks(CLI::App& app, std::function<int()>& run) {
       ->allow_extra_args(false);
   option(c, "--most", o->most, "N", "so many, of each kind (all)");
   c->add_flag("--umbilics", o->umbilics, "umbilics, too");
+  c->add_flag("--json", o->json, "print them as one JSON object");
   c->footer("Example:\n  extremal_mesh landmarks skull.graphml --most 50 -o skull.mrk.json -o skull.csv");
 }
 
@@ -92,6 +93,7 @@ void add_scale_space(CLI::App& app, std::function<int()>& run) {
   option(c, "--plot", o->plot, "FILE", "draw the numbers against sigma (.svg .png)");
   option(c, "--graphs", o->folder, "FOLDER", "write the graphs there, as sigma_….graphml");
   option(c, "--threads", o->threads, "N", "0: as many as there are cores (0)");
+  c->add_flag("--json", o->json, "print the numbers as one JSON object");
   c->add_flag("--quiet", o->quiet, "print errors only");
   c->footer(
       "Example:\n  extremal_mesh scale-space skull.nii.gz --iso 300 --sigma 2 3 4 6 8 -o scales.csv --plot scales.svg");

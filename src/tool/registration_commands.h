@@ -38,7 +38,7 @@ struct Landmarks_command_options {
   std::string file;
   std::vector<std::string> outputs; ///< .mrk.json or .csv
   std::optional<std::int64_t> most;
-  bool umbilics = false;
+  bool umbilics = false, json = false;
 };
 int landmarks(const Landmarks_command_options& options);
 
@@ -58,7 +58,7 @@ struct Scale_space_command_options {
   std::string output, events, plot, folder;
   std::optional<double> tolerance;
   int threads = 0;
-  bool quiet = false;
+  bool quiet = false, json = false;
 };
 int scale_space(const Scale_space_command_options& options);
 

@@ -3,6 +3,7 @@
 #include "Input.h"
 #include "Progress_bar.h"
 #include "commands.h"
+#include "query_json.h"
 #include "registration_commands.h"
 
 #include <CGAL/Extremal_mesh_3/extract_extremal_mesh.h>
@@ -12,7 +13,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <utility>
 
 namespace CGAL::Extremal_mesh_3::tool {
 
@@ -38,6 +41,40 @@ Extremal_mesh mesh_at(const Scale_space_command_options& options, double sigma) 
   return mesh;
 }
 
+/// how many events of each kind concern a level: what is created comes on the way to it, the others go on the way to the next.
+std::array<std::size_t, 4> events_at(const Scale_space& space, std::size_t level) {
+  std::array<std::size_t, 4> events{};
+  for (const Scale_event& e : space.events)
+    if ((e.kind == Scale_event_kind::create ? e.level + 1 : e.level) == level)
+      ++events[std::size_t(e.kind)];
+  return events;
+}
+
+void print_counts(const Scale_space& space, const std::vector<Extremal_mesh>& meshes) {
+  fmt::print("{:>8} {:>9} {:>7} {:>8} {:>8} {:>8} {:>8}\n", "sigma", "vertices", "cells", "created", "cancel", "merge",
+             "vanish");
+  for (std::size_t level = 0; level < meshes.size(); ++level) {
+    const std::array<std::size_t, 4> events = events_at(space, level);
+    fmt::print("{:>8g} {:>9} {:>7} {:>8} {:>8} {:>8} {:>8}\n", space.sigmas[level], meshes[level].number_of_vertices(),
+               meshes[level].number_of_cells(), events[0], events[1], events[2], events[3]);
+  }
+}
+
+Json counts_json(const Scale_space& space, const std::vector<Extremal_mesh>& meshes) {
+  Json levels = Json::array();
+  for (std::size_t level = 0; level < meshes.size(); ++level) {
+    const std::array<std::size_t, 4> events = events_at(space, level);
+    levels.push_back({{"sigma", space.sigmas[level]},
+                      {"vertices", meshes[level].number_of_vertices()},
+                      {"cells", meshes[level].number_of_cells()},
+                      {"created", events[0]},
+                      {"cancelled", events[1]},
+                      {"merged", events[2]},
+                      {"vanished", events[3]}});
+  }
+  return {{"levels", std::move(levels)}};
+}
+
 } // namespace
 
 int scale_space(const Scale_space_command_options& options) {
@@ -48,9 +85,10 @@ int scale_space(const Scale_space_command_options& options) {
     throw Usage_error("a scale space needs several scales; give --sigma two or more numbers");
   if (is_mesh_file(options.file))
     throw Usage_error(fmt::format("'{}' is a mesh; a scale space is made of an image", options.file));
-  if (options.output.empty() && options.plot.empty() && options.events.empty() && options.folder.empty())
-    throw Usage_error(
-        "there is nothing to write; give -o FILE.csv, --events FILE.csv, --plot FILE.svg or --graphs FOLDER");
+  if (options.output.empty() && options.plot.empty() && options.events.empty() && options.folder.empty() &&
+      !options.json)
+    throw Usage_error("there is nothing to write; give -o FILE.csv, --events FILE.csv, --plot FILE.svg or --graphs "
+                      "FOLDER, or --json");
   if (!options.plot.empty() && !options.plot.ends_with(".svg") && !options.plot.ends_with(".png"))
     throw Usage_error(fmt::format("the extension of '{}' is not known; give --plot an .svg or a .png", options.plot));
   for (const std::string* file : {&options.output, &options.plot, &options.events})
@@ -75,18 +113,10 @@ int scale_space(const Scale_space_command_options& options) {
     write_scale_events(options.events, space);
   if (!options.plot.empty())
     write_scale_plot(options.plot, space, meshes);
-  if (options.quiet)
-    return success;
-  fmt::print("{:>8} {:>9} {:>7} {:>8} {:>8} {:>8} {:>8}\n", "sigma", "vertices", "cells", "created", "cancel", "merge",
-             "vanish");
-  for (std::size_t level = 0; level < meshes.size(); ++level) {
-    std::array<std::size_t, 4> events{};
-    for (const Scale_event& e : space.events)
-      if ((e.kind == Scale_event_kind::create ? e.level + 1 : e.level) == level)
-        ++events[std::size_t(e.kind)];
-    fmt::print("{:>8g} {:>9} {:>7} {:>8} {:>8} {:>8} {:>8}\n", sigmas[level], meshes[level].number_of_vertices(),
-               meshes[level].number_of_cells(), events[0], events[1], events[2], events[3]);
-  }
+  if (options.json)
+    fmt::print("{}\n", pretty(counts_json(space, meshes)));
+  else if (!options.quiet)
+    print_counts(space, meshes);
   return success;
 }
 

@@ -3,6 +3,7 @@
 #include "Outputs.h"
 #include "Progress_bar.h"
 #include "commands.h"
+#include "query_json.h"
 #include "summary_text.h"
 
 #include <CGAL/Extremal_mesh_3/io.h>
@@ -83,6 +84,26 @@ std::string step_text(const std::string& name, const Simplification& simplificat
                      options.measure == "life-time" ? "life time" : "persistence", s.persistence);
 }
 
+/// null if there is no such step.
+Json json_of_step(const Simplification& simplification, std::size_t step) {
+  if (step >= simplification.steps().size())
+    return nullptr;
+  const Simplification_step& s = simplification.steps()[step];
+  return {{"operation", to_string(s.operation)}, {"persistence", s.persistence}, {"point", s.point}};
+}
+
+/// what is printed with --json: as `info --json`, and the level.
+std::string level_json(const Simplification& simplification, std::size_t level, const Result& result) {
+  Json json = Json::parse(report_json(result));
+  json.erase("report"); // of an extraction
+  json["level"] = {{"number", level},
+                   {"levels", simplification.number_of_levels()},
+                   {"at_gap", simplification.level_at_gap()},
+                   {"last_step", json_of_step(simplification, level - 1)},
+                   {"next_step", json_of_step(simplification, level)}};
+  return json.dump(2);
+}
+
 } // namespace
 
 int simplify(const Simplify_options& options) {
@@ -119,7 +140,9 @@ int simplify(const Simplify_options& options) {
     write_persistence_diagram(options.persistence, simplification, level);
   if (!options.hierarchy.empty())
     write_hierarchy(options.hierarchy, simplification);
-  if (options.quiet)
+  if (options.json)
+    fmt::print("{}\n", level_json(simplification, level, result));
+  if (options.quiet || options.json)
     return success;
 
   const Extremal_mesh& simple = result.extraction.mesh;

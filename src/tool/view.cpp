@@ -3,6 +3,7 @@
 #include "Outputs.h"
 #include "Progress_bar.h"
 #include "commands.h"
+#include "query_json.h"
 
 #include <CGAL/Extremal_mesh_3/io.h>
 
@@ -18,7 +19,9 @@ int write_outputs(const View_command_options& options, const Outputs& outputs) {
   result.extraction.mesh = read_graphml(options.file);
   result.extraction.patches = read_patches_of(options.patches, result.extraction.mesh, options.file);
   outputs.write(result);
-  if (!options.quiet)
+  if (options.json)
+    fmt::print("{}\n", Json{{"files", options.outputs}}.dump());
+  else if (!options.quiet)
     for (const std::string& file : options.outputs)
       fmt::print("{}\n", file);
   return success;

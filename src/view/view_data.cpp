@@ -5,6 +5,8 @@
 // single precision is enough wherever the mesh lies.
 #include "view_data.h"
 
+#include "view_levels.h"
+
 #include "../differential/vector.h"
 #include "../io/base64.h"
 #include "../io/cell_colours.h"
@@ -19,6 +21,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
 namespace CGAL::Extremal_mesh_3 {
@@ -103,16 +106,16 @@ Extremal_mesh_vertex vertex_of_class(std::size_t i) {
   return vertex;
 }
 
-/// persistence of vertices; null if the mesh is not one that can be simplified.
-Json persistence_of(const Extremal_mesh& mesh) {
+/// nothing if the mesh is not one that can be simplified.
+std::optional<Simplification> simplification_of(const Extremal_mesh& mesh) {
   try {
-    return Simplification(mesh).vertex_persistence(); // infinity becomes null
+    return Simplification(mesh);
   } catch (const std::invalid_argument&) {
-    return nullptr;
+    return std::nullopt;
   }
 }
 
-Json vertices_json(const Extremal_mesh& mesh, Json& classes) {
+Json vertices_json(const Extremal_mesh& mesh, const Simplification* simplification, Json& classes) {
   std::array<std::size_t, class_names.size()> counts{};
   Json json;
   for (const char* name : {"class", "point", "k1", "k2", "index", "ridges", "degree", "strength"})
@@ -132,7 +135,9 @@ Json vertices_json(const Extremal_mesh& mesh, Json& classes) {
     placed.add({}, vertex.normal, {});
   }
   json["normals"] = base64(placed.normals);
-  json["persistence"] = persistence_of(mesh);
+  json["persistence"] = nullptr;
+  if (simplification)
+    json["persistence"] = simplification->vertex_persistence(); // infinity becomes null
   for (std::size_t i = 0; i < class_names.size(); ++i)
     classes.push_back({{"name", class_names[i]}, {"colour", vertex_colour(vertex_of_class(i))}, {"count", counts[i]}});
   return json;
@@ -205,6 +210,28 @@ Json cells_json(const Extremal_mesh& mesh, Cell_colouring colouring) {
   return json;
 }
 
+/// Levels of the simplification that can be looked at: more than these take long to make for a large mesh.
+constexpr std::size_t most_levels = 25, most_levels_of_large_meshes = 13, large = 20000;
+
+/// null if there is no level but the mesh itself.
+Json levels_json(const Extremal_mesh& mesh, const Simplification* simplification, Cell_colouring colouring) {
+  if (!simplification || simplification->steps().empty())
+    return nullptr;
+  const View_levels levels = view_levels(mesh, *simplification, colouring,
+                                         mesh.number_of_edges() > large ? most_levels_of_large_meshes : most_levels);
+  std::vector<std::uint8_t> colours;
+  for (const Colour& colour : levels.colours)
+    colours.insert(colours.end(), colour.begin(), colour.end());
+  return {{"level", levels.levels},
+          {"persistence", levels.persistence},
+          {"vertices", levels.vertices},
+          {"edges", levels.edges},
+          {"cells", levels.cells},
+          {"of_vertex", base64(levels.of_vertex)},
+          {"of_segment", base64(levels.of_segment)},
+          {"colours", base64(colours)}};
+}
+
 /// triangles in the order of their cells, with points that belong to one cell only.
 Json surface_json(const Cell_patches& patches, const Point& center) {
   if (patches.cell.empty())
@@ -242,6 +269,8 @@ std::string view_data(const Extremal_mesh& mesh, const Cell_patches& patches, co
   const Point center = box.center();
   double radius = 0;
   for_each_point(mesh, patches, [&](const Point& p) { radius = std::max(radius, norm(p - center)); });
+  const std::optional<Simplification> simplification = simplification_of(mesh);
+  const Simplification* levels = simplification ? &*simplification : nullptr;
   Json json;
   json["source"] = mesh.surface().source;
   json["frame"] = mesh.surface().frame;
@@ -253,10 +282,11 @@ std::string view_data(const Extremal_mesh& mesh, const Cell_patches& patches, co
   json["sign_colours"] = {cell_colour(1), cell_colour(-1)};
   json["vertex_classes"] = Json::array();
   json["line_types"] = Json::array();
-  json["vertices"] = vertices_json(mesh, json["vertex_classes"]);
+  json["vertices"] = vertices_json(mesh, levels, json["vertex_classes"]);
   json["edges"] = edges_json(mesh);
   json["lines"] = lines_json(mesh, center, json["line_types"]);
   json["cells"] = cells_json(mesh, options.colouring);
+  json["levels"] = levels_json(mesh, levels, options.colouring);
   json["surface"] = surface_json(patches, center);
   std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace); // a file's name need not be UTF-8
   for (std::size_t i = text.find('<'); i != text.npos; i = text.find('<', i))

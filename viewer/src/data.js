@@ -17,12 +17,17 @@ const small = (text) => new Int16Array(bytes(text).buffer);
 /** reads the data of the page: see src/view/view_data.cpp, which wrote it. */
 export function readData(element) {
   const data = JSON.parse(element.textContent);
-  const { lines, surface } = data;
+  const { lines, surface, levels } = data;
   lines.points = floats(lines.points);
   lines.normals = small(lines.normals);
   lines.types = bytes(lines.types);
   data.vertices.normals = small(data.vertices.normals);
   data.cells.colours = bytes(data.cells.colours);
+  if (levels) {
+    levels.of_vertex = bytes(levels.of_vertex);
+    levels.of_segment = bytes(levels.of_segment);
+    levels.colours = bytes(levels.colours);
+  }
   if (surface) {
     surface.points = floats(surface.points);
     surface.normals = small(surface.normals);

@@ -12,10 +12,12 @@ const vertexShader = `
   attribute float type;
   attribute float edge;
   attribute float strength;
+  attribute float lastLevel; // of the simplification at which a line is here
   uniform vec2 viewport;   // pixels
   uniform float pixel;     // device pixels in a pixel
   uniform vec4 visible;    // by type
   uniform float leastStrength;
+  uniform float level;
   uniform float picked;
   uniform bool picking;
   uniform float scale;
@@ -33,7 +35,7 @@ const vertexShader = `
     vColour = colours[t];
     vFacing = dot(normalMatrix * up, -a.xyz);
     vec4 ca = projectionMatrix * a, cb = projectionMatrix * b;
-    if ((visible[t] < 0.5 || strength < leastStrength) && !isPicked || ca.w <= 0.0 || cb.w <= 0.0) {
+    if ((visible[t] < 0.5 || strength < leastStrength || lastLevel < level) && !isPicked || ca.w <= 0.0 || cb.w <= 0.0) {
       gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
       return;
     }
@@ -76,7 +78,7 @@ const fragmentShader = `
   }`;
 
 /** makes the lines. `segments` counts those that are seen. */
-export function makeLines({ lines, edges, line_types, closed }, hasSurface) {
+export function makeLines({ lines, edges, line_types, levels, closed }, hasSurface) {
   const count = lines.types.length;
   const from = new Float32Array(3 * count), to = new Float32Array(3 * count), up = new Int16Array(3 * count);
   const edge = new Float32Array(count), strength = new Float32Array(count);
@@ -102,12 +104,14 @@ export function makeLines({ lines, edges, line_types, closed }, hasSurface) {
   add("type", Float32Array.from(lines.types), 1);
   add("edge", edge, 1);
   add("strength", strength, 1);
+  const lastLevel = levels ? Float32Array.from(levels.of_segment) : new Float32Array(count);
+  add("lastLevel", lastLevel, 1);
   geometry.instanceCount = count;
   const material = new THREE.ShaderMaterial({
     vertexShader, fragmentShader, side: THREE.DoubleSide,
     uniforms: {
       viewport: { value: new THREE.Vector2() }, pixel: { value: 1 }, visible: { value: new THREE.Vector4(1, 1, 1, 1) },
-      leastStrength: { value: 0 }, picked: { value: -1 }, picking: { value: false }, fade: { value: closed && !hasSurface },
+      leastStrength: { value: 0 }, level: { value: 0 }, picked: { value: -1 }, picking: { value: false }, fade: { value: closed && !hasSurface },
       scale: { value: count > 40000 ? 0.75 : 1 },
       colours: { value: line_types.map((type) => new THREE.Vector3(...type.colour.map((c) => c / 255))) },
     },
@@ -119,8 +123,9 @@ export function makeLines({ lines, edges, line_types, closed }, hasSurface) {
     uniforms: material.uniforms,
     segments() {
       const visible = material.uniforms.visible.value.toArray(), least = material.uniforms.leastStrength.value;
+      const level = material.uniforms.level.value;
       let seen = 0;
-      for (let i = 0; i < count; ++i) seen += visible[lines.types[i]] > 0 && strength[i] >= least;
+      for (let i = 0; i < count; ++i) seen += visible[lines.types[i]] > 0 && strength[i] >= least && lastLevel[i] >= level;
       return seen;
     },
   };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { readData } from "./data.js";
 import { makeLines } from "./lines.js";
-import { describe, makeChoice, makeLegend, makeSlider, showDetails } from "./panel.js";
+import { describe, makeChoice, makeLegend, makeLevelSlider, makeSlider, showDetails } from "./panel.js";
 import { makePoints } from "./points.js";
 import { Stage } from "./stage.js";
 import { makeSurface } from "./surface.js";
@@ -41,9 +41,13 @@ function setLeastStrength(least) {
   stage.draw();
 }
 
-function setLeastPersistence(least) {
-  points.uniforms.leastPersistence.value = least;
-  showPersistence?.(least);
+/** shows the mesh at one of `data.levels` of its simplification, by its number there. */
+function setLevel(i) {
+  if (!(data.levels ? i in data.levels.level : i === 0)) throw new RangeError(`there is no level ${i}`);
+  points.uniforms.level.value = lines.uniforms.level.value = i;
+  const bytes = 3 * data.cells.sign.length;
+  if (data.levels) surface?.paint(data.levels.colours.subarray(i * bytes, (i + 1) * bytes));
+  showLevel?.(i);
   stage.draw();
 }
 
@@ -85,8 +89,7 @@ $("counts").textContent =
   `${data.cells.sign.length.toLocaleString("en")} cells` + (data.frame ? ` · ${data.frame}` : "");
 const showSwitch = makeLegend($("legend"), data, setVisible);
 const showStrength = makeSlider($("controls"), "strength", "Strength of lines", [...data.edges.strength], setLeastStrength);
-const showPersistence = data.vertices.persistence &&
-  makeSlider($("controls"), "persistence", "Persistence of vertices", [...data.vertices.persistence], setLeastPersistence);
+const showLevel = data.levels && makeLevelSlider($("controls"), data.levels, setLevel);
 const pressTint = surface && makeChoice($("controls"), "Tint", [["cells", "cells"], ["curvature", "curvature"], ["plain", "plain"]], setTint);
 const pressStereo = makeChoice($("controls"), "Stereo pair", [["off", "off"], ["parallel", "parallel"], ["crossed", "crossed"]], setStereo);
 if (data.vertex_classes.some((k) => k.name === "anchor" && k.count > 0)) setVisible("anchor", false);
@@ -110,7 +113,8 @@ window.addEventListener("keydown", (event) => {
  * What scripts can do with the page, as the tests do. Places are in CSS pixels of the canvas.
  *   data                                   what the page shows
  *   isVisible(key), setVisible(key, on)    line types, classes of vertices, "surface"
- *   setLeastStrength(s), setLeastPersistence(p)
+ *   setLeastStrength(s)
+ *   setLevel(i)                            the i-th of data.levels, from 0, of the simplification
  *   setTint("cells" | "curvature" | "plain"), setStereo("off" | "parallel" | "crossed")
  *   pick(x, y)                             {kind, id} or null
  *   select({kind, id} | null), selected(), describe({kind, id})
@@ -119,7 +123,7 @@ window.addEventListener("keydown", (event) => {
  *   render()                               draws now; returns the number of draw calls
  */
 window.extremalMeshViewer = {
-  data, isVisible, setVisible, setLeastStrength, setLeastPersistence, setTint, setStereo, select,
+  data, isVisible, setVisible, setLeastStrength, setLevel, setTint, setStereo, select,
   selected: () => selected,
   describe: (element) => describe(data, element),
   pick: (x, y) => stage.pick(x, y),

@@ -90,6 +90,26 @@ export function makeSlider(root, key, title, values, change) {
   };
 }
 
+/**
+ * a slider over the levels of the simplification: at its left end the mesh itself is seen, at its right end the simplest one.
+ * \return a function that shows a level
+ */
+export function makeLevelSlider(root, levels, change) {
+  const last = levels.level.length - 1;
+  const input = element("input", { type: "range", min: 0, max: last, value: 0, "data-key": "level", "aria-label": "Simplification" });
+  const output = element("output", {});
+  const show = (i) => {
+    output.textContent = i === 0 ? "none" : `${levels.cells[i].toLocaleString("en")} cells`;
+    output.title = `level ${levels.level[i]}: ${levels.vertices[i]} vertices, ${levels.edges[i]} edges, ${levels.cells[i]} cells; ` +
+      `persistence above ${levels.persistence[i].toPrecision(4)}`;
+    if (document.activeElement !== input) input.value = i;
+  };
+  input.addEventListener("input", () => change(Number(input.value)));
+  root.append(element("label", { class: "control" }, element("span", {}, "Simplification"), input, output));
+  show(0);
+  return show;
+}
+
 const number = (x) => (x === null || x === undefined ? "∞" : Number.isInteger(x) ? String(x) : x.toPrecision(6));
 
 /** a coordinate, to what can be told apart in a surface of this radius. */

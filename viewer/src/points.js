@@ -7,10 +7,10 @@ import * as THREE from "three";
 const vertexShader = `
   attribute float kind;
   attribute float vertex;
-  attribute float persistence;
+  attribute float lastLevel; // of the simplification at which it is there
   uniform float visible[16];
   uniform vec3 colours[16];
-  uniform float leastPersistence;
+  uniform float level;
   uniform float picked;
   uniform float pixel;
   uniform float scale;
@@ -27,7 +27,7 @@ const vertexShader = `
     vKind = kind;
     vId = vertex;
     vPicked = isPicked ? 1.0 : 0.0;
-    bool hidden = (visible[k] < 0.5 || persistence < leastPersistence) && !isPicked;
+    bool hidden = (visible[k] < 0.5 || lastLevel < level) && !isPicked;
     if (hidden || closed && dot(normalMatrix * normal, -p.xyz) < 0.0) {
       gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
       gl_PointSize = 1.0;
@@ -70,7 +70,7 @@ const fragmentShader = `
   }`;
 
 /** makes the vertices. `count` counts those that are not switched off. */
-export function makePoints({ vertices, vertex_classes, closed, center }) {
+export function makePoints({ vertices, vertex_classes, levels, closed, center }) {
   const count = vertices.class.length;
   const position = new Float32Array(3 * count);
   vertices.point.forEach((p, v) => position.set(p.map((x, a) => x - center[a]), 3 * v));
@@ -79,15 +79,15 @@ export function makePoints({ vertices, vertex_classes, closed, center }) {
   geometry.setAttribute("normal", new THREE.BufferAttribute(vertices.normals, 3, true));
   geometry.setAttribute("kind", new THREE.BufferAttribute(Float32Array.from(vertices.class), 1));
   geometry.setAttribute("vertex", new THREE.BufferAttribute(Float32Array.from(vertices.class, (_, v) => v), 1));
-  const persistence = Float32Array.from(vertices.class, (_, v) => vertices.persistence?.[v] ?? 3e38);
-  geometry.setAttribute("persistence", new THREE.BufferAttribute(persistence, 1));
+  const lastLevel = levels ? Float32Array.from(levels.of_vertex) : new Float32Array(count);
+  geometry.setAttribute("lastLevel", new THREE.BufferAttribute(lastLevel, 1));
   const classes = Array.from({ length: 16 }, (_, k) => vertex_classes[k]);
   const material = new THREE.ShaderMaterial({
     vertexShader, fragmentShader,
     uniforms: {
       visible: { value: classes.map(() => 1) },
       colours: { value: classes.map((c) => new THREE.Vector3(...(c?.colour ?? [0, 0, 0]).map((x) => x / 255))) },
-      leastPersistence: { value: 0 }, picked: { value: -1 }, pixel: { value: 1 }, picking: { value: false },
+      level: { value: 0 }, picked: { value: -1 }, pixel: { value: 1 }, picking: { value: false },
       closed: { value: closed }, scale: { value: count > 1500 ? 0.72 : 1 },
     },
   });
@@ -97,9 +97,9 @@ export function makePoints({ vertices, vertex_classes, closed, center }) {
     object,
     uniforms: material.uniforms,
     count() {
-      const { visible, leastPersistence } = material.uniforms;
+      const { visible, level } = material.uniforms;
       let seen = 0;
-      for (let v = 0; v < count; ++v) seen += visible.value[vertices.class[v]] > 0 && persistence[v] >= leastPersistence.value;
+      for (let v = 0; v < count; ++v) seen += visible.value[vertices.class[v]] > 0 && lastLevel[v] >= level.value;
       return seen;
     },
   };

@@ -97,7 +97,7 @@ const fragmentShader = `
     gl_FragColor = vec4(colour * light * (1.0 - 0.25 * rim) + 0.07 * gloss, 1.0);
   }`;
 
-/** makes the surface. `light(cells)` lights these cells up, and no others. */
+/** makes the surface. `light(cells)` lights these cells up, and no others; `paint(colours)` gives each cell another colour. */
 export function makeSurface({ surface, cells }) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", new THREE.BufferAttribute(surface.points, 3));
@@ -123,6 +123,10 @@ export function makeSurface({ surface, cells }) {
   return {
     object: mesh,
     uniforms: material.uniforms,
+    paint(colours) {
+      for (let c = 0; c < count; ++c) texels.set(colours.subarray(3 * c, 3 * c + 3), 4 * c);
+      texture.needsUpdate = true;
+    },
     light(lit) {
       for (let c = 0; c < count; ++c) texels[4 * c + 3] = 255;
       for (const c of lit) texels[4 * c + 3] = 128;

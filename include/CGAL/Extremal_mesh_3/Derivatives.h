@@ -11,7 +11,7 @@ namespace CGAL::Extremal_mesh_3 {
 /// lexicographic order of the sorted indices. They are derivatives, not Taylor coefficients: `third[0]` is
 /// ∂³f/∂x³. Orders that were not asked for are left as they were.
 struct Derivatives {
-  double value = 0;
+  double value = 0;                ///< of the function itself
   Vector gradient{};               ///< x y z
   std::array<double, 6> hessian{}; ///< xx xy xz yy yz zz
   std::array<double, 10> third{};  ///< xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz

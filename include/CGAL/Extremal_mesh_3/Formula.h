@@ -16,9 +16,12 @@ namespace CGAL::Extremal_mesh_3 {
 /// A formula that cannot be understood. The message gives the position and what was expected there.
 class Formula_error : public std::invalid_argument {
 public:
+  /// \param message  one sentence
+  /// \param position  offset in characters from the start of the text, from 0
   Formula_error(const std::string& message, std::size_t position)
       : std::invalid_argument(message), position_(position) {}
-  std::size_t position() const { return position_; } ///< offset in characters from the start of the text, from 0
+  /// \return the offset in characters from the start of the text, from 0
+  std::size_t position() const { return position_; }
 
 private:
   std::size_t position_;
@@ -43,19 +46,25 @@ private:
 /// for a scratch memory that each thread keeps. The construction takes time and memory in proportion to the text.
 class Formula : public Function_3 {
 public:
+  /// understands a text.
+  /// \param text  the formula
   /// \throws Formula_error if the text is not a formula, is longer than a million characters, or has more than 1000
   /// levels of
   ///         parentheses, signs and operators that wait for their right side
   explicit Formula(std::string_view text);
   ~Formula() override;
-  Formula(Formula&&) noexcept;
+  Formula(Formula&&) noexcept; ///< takes over what another one holds
 
+  /// \copydoc Function_3::value()
   double value(const Point& p) const override;
 
+  /// \copydoc Function_3::derivatives()
   /// \throws std::invalid_argument if `order` is not 1 to 4
   void derivatives(const Point& p, int order, Derivatives& d) const override;
 
   /// fills the derivatives at many points, several times faster than one by one.
+  /// \param points  where
+  /// \param order  1 to 4
   /// \param d  as many as there are points
   /// \throws std::invalid_argument if `order` is not 1 to 4, or the sizes differ
   void derivatives(std::span<const Point> points, int order, std::span<Derivatives> d) const;
@@ -64,9 +73,11 @@ public:
   void lattice_values(const Lattice& lattice, std::size_t k, std::span<const Row_part> parts,
                       double* out) const override;
 
+  /// \copydoc Function_3::bounds_cost()
   Bounds_cost bounds_cost() const override { return Bounds_cost::low; }
   /// bounds by interval arithmetic, valid for real numbers: of the formula with its constants as they are rounded,
   /// and not of what rounding makes of it at a point.
+  /// \copydetails Function_3::bounds()
   /// \throws std::invalid_argument if `order` is not 0 to 4
   bool bounds(const Box_3& box, int order, Derivative_bounds& d) const override;
 

@@ -18,6 +18,7 @@ namespace CGAL::Extremal_mesh_3 {
 /// derivatives up to `order` at `p`. It is called from several threads at once.
 template <std::invocable<const Point&, int, Derivatives&> F> class Functor_function : public Function_3 {
 public:
+  /// \param f  the functor
   /// \param max_order  the highest order that `f` fills: 3 or 4
   /// \throws std::invalid_argument for another `max_order`
   Functor_function(F f, int max_order) : f_(std::move(f)), max_order_(max_order) {
@@ -25,6 +26,7 @@ public:
       throw std::invalid_argument("Functor_function: max_order is " + std::to_string(max_order) + ", not 3 or 4");
   }
 
+  /// \copydoc Function_3::value()
   double value(const Point& p) const override {
     Derivatives d;
     f_(p, 0, d);
@@ -44,14 +46,17 @@ private:
 ///
 ///     auto f = make_function([](auto x, auto y, auto z) { using std::sqrt; return sqrt(x * x + y * y) + z * z - 1; });
 ///
-/// Functions of <cmath> are to be called unqualified, so that those of jets are found. The functor is called from
+/// Functions of `<cmath>` are to be called unqualified, so that those of jets are found. The functor is called from
 /// several threads at once.
 template <std::invocable<double, double, double> F> class Lambda_function : public Function_3 {
 public:
+  /// \param f  the functor
   explicit Lambda_function(F f) : f_(std::move(f)) {}
 
+  /// \copydoc Function_3::value()
   double value(const Point& p) const override { return static_cast<double>(f_(p[0], p[1], p[2])); }
 
+  /// \copydoc Function_3::derivatives()
   /// Its value may differ from `value()` by rounding.
   /// \throws std::invalid_argument if `order` is not 1 to 4
   void derivatives(const Point& p, int order, Derivatives& d) const override {
@@ -75,11 +80,16 @@ private:
 };
 
 /// makes a function from a generic functor of three numbers, such as a lambda with `auto` parameters.
+/// \param f  the functor
+/// \return the function
 template <std::invocable<double, double, double> F> Lambda_function<std::decay_t<F>> make_function(F&& f) {
   return Lambda_function<std::decay_t<F>>(std::forward<F>(f));
 }
 
 /// makes a function from a functor `f(const Point&, int order, Derivatives&)` that computes its own derivatives.
+/// \param f  the functor
+/// \param max_order  the highest order that it fills
+/// \return the function
 /// \throws std::invalid_argument if `max_order` is not 3 or 4
 template <std::invocable<const Point&, int, Derivatives&> F>
 Functor_function<std::decay_t<F>> make_function(F&& f, int max_order) {

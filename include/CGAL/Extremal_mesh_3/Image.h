@@ -16,8 +16,8 @@ namespace CGAL::Extremal_mesh_3 {
 /// A 3D image: one value per node of a lattice. Positions are in world coordinates, LPS in mm when read from a file
 /// (ITK's convention; NIfTI's RAS is converted). The lattice may be left-handed.
 struct Image {
-  Lattice lattice;
-  Voxels voxels; ///< in the order of the lattice's nodes
+  Lattice lattice; ///< where the voxels are
+  Voxels voxels;   ///< in the order of the lattice's nodes
 };
 
 /// How to read an image.
@@ -41,6 +41,8 @@ struct Image_reading_options {
 ///         a singular direction matrix, a voxel that is not finite (as a float), is larger than memory, or changes while it
 ///         is read
 /// A header that lies about the size of the data takes no memory; compressed data are not read on far beyond what it tells.
+/// \param file  the name of the file to read
+/// \param options  how much memory it may take
 Image read_image(const std::string& file, const Image_reading_options& options = {});
 
 } // namespace CGAL::Extremal_mesh_3

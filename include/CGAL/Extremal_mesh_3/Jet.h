@@ -25,27 +25,39 @@ template <int Order> class Basic_jet {
   static_assert(Order >= 1 && Order <= internal::max_taylor_order);
 
 public:
-  static constexpr int order = Order;
+  static constexpr int order = Order; ///< the highest order of derivatives
+  /// number of Taylor coefficients: 4, 10, 20 or 35
   static constexpr std::size_t size = internal::taylor_size(Order);
 
   /// a constant.
+  /// \param value  its value
   constexpr Basic_jet(double value = 0) : c_{value} {} // NOLINT: constants mix freely with jets
 
   /// one of the variables.
+  /// \param value  its value
   /// \param axis  0, 1 or 2 for x, y, z
+  /// \return the variable at that value
   static constexpr Basic_jet variable(double value, std::size_t axis) {
     Basic_jet u(value);
     u.c_[1 + axis] = 1;
     return u;
   }
 
+  /// \return the function's value
   constexpr double value() const { return c_[0]; }
 
   /// the Taylor coefficient of number `i`, in the order of `Derivatives` (1, x, y, z, xx, xy, …).
+  /// \param i  below `size`
+  /// \return the coefficient
   constexpr double operator[](std::size_t i) const { return c_[i]; }
+  /// the same, to be changed.
+  /// \param i  below `size`
+  /// \return the coefficient
   constexpr double& operator[](std::size_t i) { return c_[i]; }
 
-  /// fills the derivatives up to `up_to`, at most `Order`.
+  /// fills the derivatives.
+  /// \param d  gets them
+  /// \param up_to  the highest order that is filled, at most `Order`
   void store(Derivatives& d, int up_to = Order) const {
     internal::taylor_to_derivatives([this](std::size_t i) { return c_[i]; }, up_to, d);
   }
@@ -57,6 +69,12 @@ public:
     return d;
   }
 
+  /// \name Arithmetic in place
+  /// @{
+
+  /// changes the jet by another one, or by a constant.
+  /// \param v  the other operand
+  /// \return this jet
   constexpr Basic_jet& operator+=(const Basic_jet& v) {
     for (std::size_t i = 0; i < size; ++i)
       c_[i] += v.c_[i];
@@ -67,37 +85,53 @@ public:
       c_[i] -= v.c_[i];
     return *this;
   }
-  constexpr Basic_jet& operator*=(double s) {
+  constexpr Basic_jet& operator*=(double v) {
     for (double& c : c_)
-      c *= s;
+      c *= v;
     return *this;
   }
-  constexpr Basic_jet& operator/=(double s) {
+  constexpr Basic_jet& operator/=(double v) {
     for (double& c : c_)
-      c /= s;
+      c /= v;
     return *this;
   }
-  constexpr Basic_jet& operator+=(double s) { return c_[0] += s, *this; }
-  constexpr Basic_jet& operator-=(double s) { return c_[0] -= s, *this; }
+  constexpr Basic_jet& operator+=(double v) { return c_[0] += v, *this; }
+  constexpr Basic_jet& operator-=(double v) { return c_[0] -= v, *this; }
   constexpr Basic_jet& operator*=(const Basic_jet& v) { return *this = *this * v; }
   constexpr Basic_jet& operator/=(const Basic_jet& v) { return *this = *this / v; }
 
+  /// @}
+
+  /// \name Arithmetic
+  /// @{
+
+  /// computes with one jet.
+  /// \param u  the operand
+  /// \return the result, with its derivatives
   friend constexpr Basic_jet operator+(const Basic_jet& u) { return u; }
   friend constexpr Basic_jet operator-(Basic_jet u) {
     for (double& c : u.c_)
       c = -c;
     return u;
   }
+  /// @}
+
+  /// \name Arithmetic of two
+  /// @{
+
+  /// computes with two jets, or with a jet and a constant.
+  /// \param u,v  the operands
+  /// \return the result, with its derivatives
   friend constexpr Basic_jet operator+(Basic_jet u, const Basic_jet& v) { return u += v; }
-  friend constexpr Basic_jet operator+(Basic_jet u, double s) { return u += s; }
-  friend constexpr Basic_jet operator+(double s, Basic_jet u) { return u += s; }
+  friend constexpr Basic_jet operator+(Basic_jet u, double v) { return u += v; }
+  friend constexpr Basic_jet operator+(double u, Basic_jet v) { return v += u; }
   friend constexpr Basic_jet operator-(Basic_jet u, const Basic_jet& v) { return u -= v; }
-  friend constexpr Basic_jet operator-(Basic_jet u, double s) { return u -= s; }
-  friend constexpr Basic_jet operator-(double s, const Basic_jet& u) { return -u += s; }
-  friend constexpr Basic_jet operator*(Basic_jet u, double s) { return u *= s; }
-  friend constexpr Basic_jet operator*(double s, Basic_jet u) { return u *= s; }
-  friend constexpr Basic_jet operator/(Basic_jet u, double s) { return u /= s; }
-  friend constexpr Basic_jet operator/(double s, const Basic_jet& u) { return Basic_jet(s) / u; }
+  friend constexpr Basic_jet operator-(Basic_jet u, double v) { return u -= v; }
+  friend constexpr Basic_jet operator-(double u, const Basic_jet& v) { return -v += u; }
+  friend constexpr Basic_jet operator*(Basic_jet u, double v) { return u *= v; }
+  friend constexpr Basic_jet operator*(double u, Basic_jet v) { return v *= u; }
+  friend constexpr Basic_jet operator/(Basic_jet u, double v) { return u /= v; }
+  friend constexpr Basic_jet operator/(double u, const Basic_jet& v) { return Basic_jet(u) / v; }
 
   friend constexpr Basic_jet operator*(const Basic_jet& u, const Basic_jet& v) {
     Basic_jet w;
@@ -105,7 +139,9 @@ public:
     return w;
   }
 
-  /// the quotient, from the recurrence that `(u/v)·v = u` gives coefficient by coefficient.
+  /// The quotient comes from the recurrence that `(u/v)·v = u` gives coefficient by coefficient.
+  /// \param u,v  the operands
+  /// \return the quotient, with its derivatives
   friend constexpr Basic_jet operator/(const Basic_jet& u, const Basic_jet& v) {
     Basic_jet q = u;
     for_each_coefficient([&](auto i) { // q[i] is complete when its turn comes: its terms have lower degrees
@@ -115,12 +151,21 @@ public:
     return q;
   }
 
+  /// @}
+
+  /// \name Comparison
+  /// @{
+
+  /// compares the values alone.
+  /// \param u,v  the operands
+  /// \return how they compare
   friend constexpr bool operator==(const Basic_jet& u, const Basic_jet& v) { return u.c_[0] == v.c_[0]; }
-  friend constexpr bool operator==(const Basic_jet& u, double s) { return u.c_[0] == s; }
+  friend constexpr bool operator==(const Basic_jet& u, double v) { return u.c_[0] == v; }
   friend constexpr std::partial_ordering operator<=>(const Basic_jet& u, const Basic_jet& v) {
     return u.c_[0] <=> v.c_[0];
   }
-  friend constexpr std::partial_ordering operator<=>(const Basic_jet& u, double s) { return u.c_[0] <=> s; }
+  friend constexpr std::partial_ordering operator<=>(const Basic_jet& u, double v) { return u.c_[0] <=> v; }
+  /// @}
 
 private:
   // Unrolled, with all indices known to the compiler, products are twice as fast as in loops over tables.

@@ -20,9 +20,9 @@ enum class Fit_state : std::uint8_t {
 
 /// How well a jet fits.
 struct Fit_quality {
-  Fit_state state = Fit_state::given;
-  std::uint32_t points = 0; ///< in the neighbourhood, the vertex included
-  double radius = 0;        ///< of the neighbourhood, a length
+  Fit_state state = Fit_state::given; ///< how the shape was found
+  std::uint32_t points = 0;           ///< in the neighbourhood, the vertex included
+  double radius = 0;                  ///< of the neighbourhood, a length
   double condition = 1; ///< √ of the largest variance inflation of a coefficient: 4 to 10 are good, 80 on one side
   double residual = 0;  ///< weighted root mean square of the distances to the jet, a length
   /// standard error of L(t, t), root mean square over unit tangents t, that the residual implies if it is noise, in
@@ -33,12 +33,13 @@ struct Fit_quality {
   /// error of the fit; 0 elsewhere
   double C_change = 0;
 
+  /// \return whether there is a shape
   bool known() const { return state == Fit_state::given || state == Fit_state::fitted; }
 };
 
 /// The shape of a surface at each vertex of its cells.
 struct Vertex_shapes {
-  std::vector<Local_shape> shapes;
+  std::vector<Local_shape> shapes;       ///< one per vertex
   std::vector<Fourth_order_form> fourth; ///< empty: not known. Extraction takes differences of C unless all is exact
   std::vector<Fit_quality> quality;      ///< empty: all given and exact
 };

@@ -34,7 +34,7 @@ struct Extraction_options {
   /// divided cells, and as many as that makes. Surfaces that are known at points only have lines with a corner on each edge anyway
   double line_tolerance = 0;
   bool patches = false; ///< also return the surface cut along the lines
-  Progress progress;
+  Progress progress;    ///< told how far the work is; may stop it
 };
 
 /// How it is known that cells on a lattice have the topology of the surface.
@@ -46,7 +46,7 @@ enum class Surface_certainty : std::uint8_t {
 
 /// What was found out about the surface in the cubes of a lattice.
 struct Surface_report {
-  Surface_certainty certainty = Surface_certainty::given;
+  Surface_certainty certainty = Surface_certainty::given; ///< how it is known
   /// cubes of the lattice that are divided, because the surface is too fine there for signs at their corners or for
   /// polygons in them; those beside them are, too
   std::size_t divided_cubes = 0;
@@ -80,17 +80,18 @@ struct Extraction_report {
 
 /// The surface cut along the extremal lines: polygons, each within one cell of the extremal mesh.
 struct Cell_patches {
-  std::vector<Point> points;
-  std::vector<Vector> normals;
+  std::vector<Point> points;          ///< on the surface
+  std::vector<Vector> normals;        ///< of the surface at the points, unit
   std::vector<std::size_t> begin{0};  ///< polygon i has corners[begin[i] … begin[i+1])
   std::vector<std::uint32_t> corners; ///< indices of points, counter-clockwise seen from the normals' side
   std::vector<std::uint32_t> cell;    ///< of each polygon: the cell of the extremal mesh
 };
 
+/// The extremal mesh of a surface, and what was met on the way.
 struct Extraction {
-  Extremal_mesh mesh;
-  Extraction_report report;
-  Cell_patches patches; ///< empty unless asked for
+  Extremal_mesh mesh;       ///< the graph with its cells
+  Extraction_report report; ///< what is certain, and what is not
+  Cell_patches patches;     ///< empty unless asked for
 };
 
 /// makes polygonal cells of the surface `f = 0` on a lattice: in each cube one or more polygons of any number of sides, whose
@@ -102,12 +103,19 @@ struct Extraction {
 /// lattice or the domain of `f`. Otherwise they are those in which normals differ much, or in which values at nodes make a
 /// hidden part of the surface likely.
 /// \param report  if given, is filled with what is known about the surface
+/// \param f  the function; negative inside, so that normals point outwards
+/// \param lattice  where the surface is looked for
+/// \param options  threads, subdivision, progress
 /// \return a closed oriented 2-manifold but for borders where the surface leaves the lattice, or the domain of `f`
 /// \throws Extraction_error if the surface does not meet the lattice
 Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, const Extraction_options& options = {},
                                  Surface_report* report = nullptr);
 
 /// extracts the extremal mesh of the surface `f = 0` from cells that lie on it.
+/// \param f  the function; negative inside, so that normals point outwards
+/// \param cells  polygons whose points lie on the surface, counter-clockwise seen from where `f` is positive
+/// \param options  threads, subdivision, progress
+/// \return the mesh, and a report of what is certain
 /// \throws Degenerate_surface_error if `E_g = 0` (up to rounding) over most of the surface; Extraction_error if it is not 1e-35 to 1e35 long
 Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells,
                                  const Extraction_options& options = {});
@@ -121,10 +129,18 @@ Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells,
 ///         side of the cells
 ///         Extraction_error if hardly any vertex could be fitted
 ///         Degenerate_surface_error if `E_g = 0` (up to the shapes' errors) over most of the surface
+/// \param cells  an oriented manifold of polygons
+/// \param options  threads, subdivision, progress
+/// \return the mesh, and a report of what is certain
 Extraction extract_extremal_mesh(const Cell_complex& cells, const Vertex_shapes& shapes,
                                  const Extraction_options& options = {});
 
-/// `make_implicit_cells()`, then extraction.
+/// extracts the extremal mesh of the surface `f = 0`: `make_implicit_cells()`, then extraction from these cells.
+/// \param f  the function; negative inside, so that normals point outwards
+/// \param lattice  where the surface is looked for
+/// \param options  threads, subdivision, progress
+/// \return the mesh, and a report of what is certain
+/// \throws Extraction_error, Degenerate_surface_error as these do
 Extraction extract_extremal_mesh(const Function_3& f, const Lattice& lattice, const Extraction_options& options = {});
 
 } // namespace CGAL::Extremal_mesh_3

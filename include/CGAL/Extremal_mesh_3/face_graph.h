@@ -33,9 +33,13 @@ concept Face_list_graph = internal::Has_vertices_and_faces<Graph> && internal::H
 
 /// makes a cell complex of the faces of a graph, which may have any number of sides and need not be plane. They are oriented as
 /// in the graph. Its points are the vertices in the order of `vertices(graph)`, but those without a face.
-/// \param np  `vertex_point_map`, by default the graph's own; `vertex_output_iterator`, by which to go from points to vertices
-/// \throws std::invalid_argument if the faces are not a manifold with or without border
 /// O(n log n).
+/// \tparam Graph  a model of `FaceListGraph`
+/// \tparam NP  named parameters
+/// \param np  `vertex_point_map`, by default the graph's own; `vertex_output_iterator`, by which to go from points to vertices
+/// \param graph  the mesh
+/// \return the cells
+/// \throws std::invalid_argument if the faces are not a manifold with or without border
 template <Face_list_graph Graph, class NP = CGAL::parameters::Default_named_parameters>
 Cell_complex make_cell_complex(const Graph& graph, const NP& np = NP()) {
   return internal::face_graph_cells(graph, internal::as_cgal(np)).cells;
@@ -47,6 +51,10 @@ Cell_complex make_cell_complex(const Graph& graph, const NP& np = NP()) {
 /// \throws std::invalid_argument if the faces are not a manifold with or without border, a coordinate is not finite, or an
 ///         option is out of its range
 ///         Extraction_error and Degenerate_surface_error as `extract_extremal_mesh()` of cells does
+/// \tparam Graph  a model of `FaceListGraph`
+/// \tparam NP  named parameters
+/// \param graph  the mesh
+/// \return the extremal mesh, and a report of what is certain
 template <Face_list_graph Graph, class NP = CGAL::parameters::Default_named_parameters>
 Extraction extract_extremal_mesh(const Graph& graph, const NP& np = NP()) {
   namespace tags = internal::named_parameter;

@@ -21,21 +21,26 @@ struct Fit_options {
   /// unit normals at the vertices; empty: from the cells. They tell one sheet of the surface from another, and are the
   /// direction in which heights are taken
   std::vector<Vector> normals;
-  Progress progress;
+  Progress progress; ///< told how far the work is; may stop it
 };
 
 /// What was met on the way.
 struct Fit_report {
-  double sampling = 0; ///< median distance of neighbouring vertices, that of an even triangulation with as many
-  double multiple = 0; ///< of the distance of neighbours: the default radius; 0 if that was not asked for
-  double radius_min = 0, radius_median = 0, radius_max = 0; ///< of the neighbourhoods
-  double noise = 0; ///< median residual, a length; it has a part of what jets of degree 4 leave out
-  std::size_t fitted = 0, grown = 0, not_fitted = 0; ///< vertices; grown: with a larger radius than asked for
+  double sampling = 0;        ///< median distance of neighbouring vertices, that of an even triangulation with as many
+  double multiple = 0;        ///< of the distance of neighbours: the default radius; 0 if that was not asked for
+  double radius_min = 0;      ///< the least radius of a neighbourhood
+  double radius_median = 0;   ///< the median
+  double radius_max = 0;      ///< the greatest
+  double noise = 0;           ///< median residual, a length; it has a part of what jets of degree 4 leave out
+  std::size_t fitted = 0;     ///< vertices with a jet
+  std::size_t grown = 0;      ///< those of them that took a larger radius than asked for
+  std::size_t not_fitted = 0; ///< vertices without one
 };
 
+/// The shapes at the vertices of a mesh, by jets fitted there.
 struct Fit {
-  Vertex_shapes shapes;
-  Fit_report report;
+  Vertex_shapes shapes; ///< one per point of the cells
+  Fit_report report;    ///< radii, noise, and where it failed
 };
 
 /// fits a jet of degree 4 (Cazals and Pouget) at each vertex of a mesh: weighted least squares over the vertices that
@@ -49,8 +54,11 @@ struct Fit {
 /// the surface can be followed for. For the ellipsoid x² + 2y² + 4z² = 1 with 10242 vertices and noise of 0, 0.1 %
 /// and 1 % of h it is 2.75 h, 6.7 h and 10.5 h; C then is wrong by 2 %, 10 % and 25 % of its root mean square, but
 /// from one vertex to the next only by 0.5 %, 2 % and 5 %.
-/// \throws std::invalid_argument if an option is out of its range or a coordinate is not finite
 /// O(n · vertices in a neighbourhood).
+/// \param cells  an oriented manifold of polygons
+/// \param options  the radius, normals, threads, progress
+/// \return shapes, their quality, and a report
+/// \throws std::invalid_argument if an option is out of its range or a coordinate is not finite
 Fit fit_vertex_shapes(const Cell_complex& cells, const Fit_options& options = {});
 
 } // namespace CGAL::Extremal_mesh_3

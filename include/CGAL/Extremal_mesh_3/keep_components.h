@@ -14,6 +14,9 @@ struct Component_options {
 };
 
 /// leaves out connected components. The points and cells of the others keep their order. O(n).
+/// \param cells  the surface
+/// \param options  which components stay
+/// \return what is left
 /// \throws std::invalid_argument if the area is not finite, or negative
 /// \throws Extraction_error naming the largest area if no component is left
 Cell_complex keep_components(Cell_complex cells, const Component_options& options);

@@ -31,6 +31,8 @@ struct Cgal_mesh_options {
 ///         Extraction_error if the surface does not meet the lattice, or the triangles do not follow it because they are too large,
 ///         or the mesher does not come to an end
 /// The same in every call. CGAL's handler of errors is replaced meanwhile; calls from several threads wait for each other.
+/// \param f  the function; negative inside, so that normals point outwards
+/// \param options  sizes and angles of the triangles
 Cell_complex make_cgal_cells(const Function_3& f, const Lattice& lattice, const Cgal_mesh_options& options = {});
 
 } // namespace CGAL::Extremal_mesh_3

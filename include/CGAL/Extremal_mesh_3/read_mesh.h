@@ -34,20 +34,24 @@ struct Mesh_repairs {
   /// closed, and as most of its faces had it otherwise
   std::size_t turned_faces = 0;
 
-  /// whether there was anything to repair.
+  /// \return whether there was anything to repair
   bool any() const;
 };
 
 /// tells the repairs in one line: "repaired: 3 isolated vertices dropped, 2 faces turned". Empty if there were none.
+/// \param repairs  what was done
+/// \return one line without an end of line
 std::string to_string(const Mesh_repairs& repairs);
 
 /// A mesh from a file.
 struct Mesh {
-  Cell_complex cells; ///< its coordinates are the file's, its normals point outwards where the surface is closed
-  Mesh_repairs repairs;
+  Cell_complex cells;   ///< its coordinates are the file's, its normals point outwards where the surface is closed
+  Mesh_repairs repairs; ///< what had to be done to them
 };
 
 /// whether the extension of the file's name, in upper or lower case, is one that `read_mesh()` knows.
+/// \param file  a name
+/// \return whether it can be given to `read_mesh()`
 bool is_mesh_file(const std::string& file);
 
 /// reads a polygon mesh: OFF (also with colours, normals and texture coordinates), OBJ, PLY (text and binary of both
@@ -56,6 +60,9 @@ bool is_mesh_file(const std::string& file);
 /// \throws Io_error naming the file, the place in it and what was expected: also if no face is left
 ///         std::invalid_argument if the tolerance is negative, not finite, or more than a hundredth of the mesh's size
 /// O(n log n). A header that lies about the content takes no memory.
+/// \param file  the name of the file to read
+/// \param options  which vertices become one
+/// \return the polygons, and what was repaired in them
 Mesh read_mesh(const std::string& file, const Mesh_reading_options& options = {});
 
 } // namespace CGAL::Extremal_mesh_3

@@ -28,7 +28,9 @@ enum class Simplification_operation : std::uint8_t {
   drop_closed_line, ///< a closed line around a disk in which there is nothing vanishes
   drop_border_line  ///< so does a line that cuts a disk off at the border of the surface
 };
-std::string_view to_string(Simplification_operation);
+/// \param operation  what a step does
+/// \return its name, as in files
+std::string_view to_string(Simplification_operation operation);
 
 /// What it costs that something vanishes.
 enum class Simplification_measure : std::uint8_t {
@@ -36,21 +38,26 @@ enum class Simplification_measure : std::uint8_t {
   /// how long it lives over σ: the longest life time of what vanishes; of steps that are equal in that, the least persistent comes first
   life_time
 };
-std::string_view to_string(Simplification_measure);
+/// \param measure  what steps cost
+/// \return its name
+std::string_view to_string(Simplification_measure measure);
 
 /// One step of a simplification.
 struct Simplification_step {
-  Simplification_operation operation = Simplification_operation::cancel_extremal_points;
+  Simplification_operation operation = Simplification_operation::cancel_extremal_points; ///< what it does
   /// by how much a principal curvature must change for it, times the square root of the surface's area (no unit); it
   /// never falls from a step to the next. If life times are the measure, the longest of what has vanished so far
   double persistence = 0;
-  Point point{};                                  ///< where it happens
-  std::vector<std::uint32_t> vanished;            ///< vertices of the unsimplified mesh that are no more
-  std::size_t vertices = 0, edges = 0, cells = 0; ///< of the mesh after the step
+  Point point{};                       ///< where it happens
+  std::vector<std::uint32_t> vanished; ///< vertices of the unsimplified mesh that are no more
+  std::size_t vertices = 0;            ///< how many the mesh has after the step
+  std::size_t edges = 0;               ///< the same
+  std::size_t cells = 0;               ///< the same
 };
 
+/// How to simplify.
 struct Simplification_options {
-  Simplification_measure measure = Simplification_measure::persistence;
+  Simplification_measure measure = Simplification_measure::persistence; ///< what goes first
   /// crest lines, as `strongest_crest_lines()` gathers them, of at least this strength keep their course
   double keep_crest = std::numeric_limits<double>::infinity();
 };
@@ -66,36 +73,58 @@ public:
   /// finds all steps. O(n log n) for n edges.
   /// \throws std::invalid_argument if the mesh's stars, walks, degrees, signs or numbers fail in `check()`, or it has no life times and
   ///         these are the measure
+  /// \param mesh  the mesh of level 0
+  /// \param options  what goes first, what stays
   explicit Simplification(Extremal_mesh mesh, const Simplification_options& options = {});
   ~Simplification();
-  Simplification(Simplification&&) noexcept;
+  Simplification(Simplification&&) noexcept; ///< takes over what another one holds
+  /// takes over what another one holds.
+  /// \return this one
   Simplification& operator=(Simplification&&) noexcept;
 
+  /// \return all steps, in their order
   const std::vector<Simplification_step>& steps() const;
+  /// \return the number of steps and 1
   std::size_t number_of_levels() const { return steps().size() + 1; }
 
   /// \name Levels
   /// @{
+
   /// the level at which every step of at most this persistence is done.
+  /// \param threshold  a persistence
+  /// \return the level
   std::size_t level_of_persistence(double threshold) const;
   /// the first level with at most so many cells; the last level if there is none.
+  /// \param cells  how many
+  /// \return the level
   std::size_t level_of_cells(std::size_t cells) const;
   /// the first level with at most so many vertices; the last level if there is none.
+  /// \param vertices  how many
+  /// \return the level
   std::size_t level_of_vertices(std::size_t vertices) const;
   /// the level before the greatest rise of the persistence from a step to the next, counted from 0: where noise ends and
   /// shape begins, if there is such an end.
+  /// \return the level
   std::size_t level_at_gap() const;
   /// @}
 
   /// makes the mesh of a level. Its `parameters` tell the level and its persistence. O(size of the given mesh).
+  /// \param level  0 to `number_of_levels() - 1`
+  /// \return the mesh
   /// \throws std::out_of_range if there is no such level
   Extremal_mesh mesh_at(std::size_t level) const;
   /// tells for each cell of the given mesh in which cell of `mesh_at(level)` it is.
+  /// \param level  0 to `number_of_levels() - 1`
+  /// \return one per cell of the given mesh
   std::vector<std::uint32_t> cells_at(std::size_t level) const;
   /// the patches of the given mesh with the cells of `mesh_at(level)`.
+  /// \param level  0 to `number_of_levels() - 1`
+  /// \param patches  those of the given mesh
+  /// \return the same polygons
   Cell_patches patches_at(std::size_t level, const Cell_patches& patches) const;
 
   /// the persistence of each vertex of the given mesh: that of the step in which it vanishes, or infinity.
+  /// \return one per vertex of the given mesh
   std::vector<double> vertex_persistence() const;
 
 private:

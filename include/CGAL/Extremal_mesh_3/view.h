@@ -21,6 +21,9 @@ struct View_options {
 /// writes a page of HTML that shows an extremal mesh in any browser, without a network: surface, lines by type, vertices by
 /// class, to be turned, zoomed, filtered and asked. All is in the one file. Positions are shown to single precision.
 /// \param patches  the surface; empty: the lines are shown alone
+/// \param file  the name of the file to write
+/// \param mesh  an extremal mesh
+/// \param options  how the page begins
 /// \throws Io_error if the file cannot be written
 /// \throws std::invalid_argument if the direction of sight is zero, not finite or along `up`, or a patch makes no sense
 void write_view(const std::string& file, const Extremal_mesh& mesh, const Cell_patches& patches,
