@@ -16,6 +16,8 @@ fi
 seconds=$1
 shift
 if [[ -z ${FUZZ_NO_BUILD:-} ]]; then
+  source scripts/dependencies.sh
+  install_dependencies "${fuzz_packages[@]}"
   cmake --preset fuzz >/dev/null
   cmake --build --preset fuzz --target fuzzer --parallel "$(nproc)" >/dev/null
 fi
