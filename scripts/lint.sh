@@ -18,8 +18,7 @@ files=("$@")
 status=0
 git ls-files -z '*.h' '*.cpp' | xargs -0 clang-format --dry-run -Werror || status=1
 
-# What is left out: unusedStructMember and functions that only a program of another kind would use (it sees one file at a
-# time); the headers of the system, which it does not know; advice to write a loop as an algorithm.
+# Without its advice on style. It does not know the headers of the system.
 cppcheck --quiet --std=c++20 --language=c++ --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
   -j "$(nproc)" -I include --suppressions-list=scripts/cppcheck_suppressions.txt "${files[@]}" || status=1
 
