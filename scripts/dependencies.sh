@@ -16,8 +16,14 @@ packages=(
   pybind11-dev python3-dev python3-numpy python3-pytest python3-pip python3-setuptools python3-wheel
 )
 
+# What only some scripts need: fuzz.sh, lint.sh, coverage.sh.
+fuzz_packages=(clang-14 libclang-rt-14-dev)
+lint_packages=(clang-format clang-tidy cppcheck)
+coverage_packages=(gcovr)
+
 # installs the packages that are missing. Elsewhere than on Debian and its kin, CMake tells what it does not find.
-install_dependencies() {
+install_dependencies() { # [PACKAGE…]   beyond those above
+  local packages=("${packages[@]}" "$@")
   if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     echo "This is not a Debian system: install yourself what these packages hold: ${packages[*]}" >&2
     return 0

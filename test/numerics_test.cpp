@@ -19,6 +19,7 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <utility>
 
 namespace {
 
@@ -47,6 +48,63 @@ void expect_same(const Counts& a, const Counts& b, double tolerance) {
   EXPECT_EQ(a.cells, b.cells);
   EXPECT_NEAR(a.length / b.length, 1, tolerance);
   EXPECT_NEAR(a.area / b.area, 1, tolerance);
+}
+
+/// a surface without symmetry.
+Extremal_mesh bent_ellipsoid(double unit) {
+  const Formula f(fmt::format("(x/{0})^2/9 + (y/{0})^2/4 + (z/{0})^2 - 1 + 0.1*(x/{0})*(y/{0})*(z/{0})", unit));
+  return extract_extremal_mesh(
+             f, make_lattice({-4.1 * unit, -3.2 * unit, -2.3 * unit}, {4 * unit, 3 * unit, 2 * unit}, 20))
+      .mesh;
+}
+
+/// x² + y²/2 + z²/3 + xyz/10, in an image.
+Extremal_mesh bent_image(double unit) {
+  Image image;
+  image.lattice = make_lattice({-3.2, -3.2, -3.2}, {3.2, 3.2, 3.2}, 32);
+  for (std::size_t k = 0; k < image.lattice.size[2]; ++k)
+    for (std::size_t j = 0; j < image.lattice.size[1]; ++j)
+      for (std::size_t i = 0; i < image.lattice.size[0]; ++i) {
+        const auto [x, y, z] = image.lattice.node(double(i), double(j), double(k));
+        image.voxels.push_back(float(x * x + y * y / 2 + z * z / 3 + x * y * z / 10));
+      }
+  for (double& x : image.lattice.origin)
+    x *= unit;
+  for (Vector& step : image.lattice.step)
+    for (double& x : step)
+      x *= unit;
+  Image_function_options options;
+  options.iso = 1.5;
+  options.sigma = 0.6 * unit;
+  return extract_extremal_mesh(Image_function(image, options),
+                               make_lattice({-2 * unit, -2 * unit, -2.3 * unit}, {2 * unit, 2 * unit, 2.3 * unit}, 12))
+      .mesh;
+}
+
+void expect_same_bits(const Extremal_mesh& mesh, double unit, const Extremal_mesh& expected) {
+  ASSERT_EQ(mesh.number_of_vertices(), expected.number_of_vertices());
+  ASSERT_EQ(mesh.number_of_edges(), expected.number_of_edges());
+  ASSERT_EQ(mesh.number_of_cells(), expected.number_of_cells());
+  const auto in_units = [&](const Point& p) { return Point{p[0] / unit, p[1] / unit, p[2] / unit}; };
+  for (std::uint32_t v = 0; v < mesh.number_of_vertices(); ++v) {
+    EXPECT_EQ(in_units(mesh.vertex(v).point), expected.vertex(v).point) << "vertex " << v;
+    EXPECT_EQ(mesh.vertex(v).k1 * unit, expected.vertex(v).k1) << "vertex " << v;
+  }
+  for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e)
+    EXPECT_EQ(mesh.edge(e).length / unit, expected.edge(e).length) << "edge " << e;
+  for (std::uint32_t c = 0; c < mesh.number_of_cells(); ++c)
+    EXPECT_EQ(mesh.cell(c).area / unit / unit, expected.cell(c).area) << "cell " << c;
+}
+
+TEST(Numerics, a_unit_that_is_a_power_of_two_changes_no_bit) {
+  const Extremal_mesh surface = bent_ellipsoid(1), image = bent_image(1);
+  ASSERT_GT(surface.number_of_vertices(), 4U);
+  ASSERT_GT(image.number_of_vertices(), 4U);
+  for (const double unit : {0x1p-40, 0x1p-27, 0x1p-10, 0x1p27, 0x1p40}) {
+    SCOPED_TRACE(unit);
+    expect_same_bits(bent_ellipsoid(unit), unit, surface);
+    expect_same_bits(bent_image(unit), unit, image);
+  }
 }
 
 /// an ellipsoid whose semi-axes are 3, 2 and 1 units, about (offset, offset, offset).
@@ -118,7 +176,7 @@ Polygons_of_mesh polygons_of(const Cell_complex& cells) {
   return result;
 }
 
-Counts counts_of_mesh(const Polygons_of_mesh& mesh, double unit) {
+Extremal_mesh extracted(const Polygons_of_mesh& mesh) {
   const Temporary_folder folder;
   std::string off = fmt::format("OFF\n{} {} 0\n", mesh.points.size(), mesh.polygons.size());
   for (const Point& p : mesh.points)
@@ -127,9 +185,13 @@ Counts counts_of_mesh(const Polygons_of_mesh& mesh, double unit) {
     off += fmt::format("{} {}\n", polygon.size(), fmt::join(polygon, " "));
   write_text(folder.file("m.off"), off);
   const Mesh read = read_mesh(folder.file("m.off"));
-  const Extraction extraction = extract_extremal_mesh(read.cells, fit_vertex_shapes(read.cells).shapes);
+  Extraction extraction = extract_extremal_mesh(read.cells, fit_vertex_shapes(read.cells).shapes);
   EXPECT_TRUE(all_hold(check(extraction.mesh)));
-  return counts_of(extraction.mesh, unit);
+  return std::move(extraction.mesh);
+}
+
+Counts counts_of_mesh(const Polygons_of_mesh& mesh, double unit) {
+  return counts_of(extracted(mesh), unit);
 }
 
 class Numerics_of_meshes : public testing::Test {
@@ -146,6 +208,17 @@ TEST_F(Numerics_of_meshes, the_unit_of_length_does_not_matter) {
     for (Point& p : scaled.points)
       p = {unit * p[0], unit * p[1], unit * p[2]};
     expect_same(counts_of_mesh(scaled, unit), expected, 1e-6);
+  }
+}
+
+TEST_F(Numerics_of_meshes, a_unit_that_is_a_power_of_two_changes_no_bit) {
+  const Extremal_mesh one = extracted(mesh);
+  for (const double unit : {0x1p-40, 0x1p40}) {
+    SCOPED_TRACE(unit);
+    Polygons_of_mesh scaled = mesh;
+    for (Point& p : scaled.points)
+      p = {unit * p[0], unit * p[1], unit * p[2]};
+    expect_same_bits(extracted(scaled), unit, one);
   }
 }
 

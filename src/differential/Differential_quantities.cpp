@@ -8,6 +8,8 @@
 #include "umbilic_lines.h"
 #include "vector.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace CGAL::Extremal_mesh_3 {
@@ -153,6 +155,12 @@ double extremality_derivative(const Local_shape& s, const Fourth_order_form& D, 
 
 namespace {
 
+/// a power of two that takes x to the size of 1: by it numbers are scaled without rounding. Products of many of them would else
+/// leave the range of numbers where a surface is given in a very small or large unit.
+double scale_to_one(double x) {
+  return x > 0 && std::isfinite(x) ? std::scalbn(1.0, -std::ilogb(x)) : 1;
+}
+
 /// the number of real roots of the cubic form a x³ + b x²y + c x y² + d y³ in the projective line, 1 or 3 (0 if a double root).
 int real_roots(double a, double b, double c, double d) {
   const double discriminant =
@@ -174,6 +182,12 @@ int real_lines(const std::array<Complex, 4>& c) {
 
 /// the number of extremal lines where P = p z + q z̄ and Q = α z + β z̄ vanish.
 int lines_through_umbilic(Complex p, Complex q, Complex alpha, Complex beta) {
+  const double of_P = scale_to_one(std::max(std::abs(p), std::abs(q))),
+               of_Q = scale_to_one(std::max(std::abs(alpha), std::abs(beta)));
+  p *= of_P;
+  q *= of_P;
+  alpha *= of_Q;
+  beta *= of_Q;
   return real_lines(
       {p * p * alpha, p * p * beta + 2.0 * p * q * alpha, q * q * alpha + 2.0 * p * q * beta, q * q * beta});
 }

@@ -127,10 +127,12 @@ public:
         tolerance_(tolerance > 0 || !segment.may_bend || !is_bent(segment) ? tolerance : part_of_length * length_) {}
 
   Segment_points refine() {
-    if (segment_.may_bend && segment_.certain)
+    // Where the phase is rough a piece need not be straighter than the whole, nor shorter.
+    const bool may_be_divided = segment_.may_bend && segment_.divided < most_halvings;
+    if (may_be_divided && segment_.certain)
       if (const auto points = walk_along_line(surface_, segment_); !points.empty())
         return refine_pieces(points);
-    if (segment_.may_bend)
+    if (may_be_divided)
       if (const auto placed = place(segment_.ends[0].at, segment_.ends[1].at, 0.5,
                                     expected_bend(segment_.ends[0].at, segment_.ends[1].at));
           placed && std::abs(placed->offset) > strong_bend * length_)
@@ -207,6 +209,7 @@ Segment_points Segment_refiner::refine_pieces(const std::vector<Line_place>& poi
   bool keep = tolerance_ > 0;
   for (std::size_t i = 0; i <= points.size(); ++i) {
     Segment piece = segment_;
+    ++piece.divided;
     if (i > 0) {
       piece.ends[0] = {};
       piece.ends[0].at = points[i - 1];

@@ -49,6 +49,7 @@ struct Segment {
   /// whether the line may be looked for beside the segment. If not, the segment is taken for the line
   bool may_bend = true;
   bool certain = true; ///< the line runs from end to end; otherwise it may run elsewhere, and is looked for nearby only
+  int divided = 0;     ///< how many times what it is a piece of was divided
 };
 
 /// tells whether there is anything to be found on the segment, or may be. Cheap, and does not look at the samples.

@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Gives the program damaged copies of files: each must end with a result whose checks hold, or with a clear error.
 
-usage: mutate.py PROGRAM FOLDER NUMBER [SEED] [--seconds LIMIT]
+usage: mutate.py PROGRAM FOLDER NUMBER [SEED] [--first N] [--seconds LIMIT]
 
 FOLDER is searched for images and meshes (not larger than 2 MB). Prints what went wrong, and a summary; the exit code is 1 if
-something did. Damaged copies that something is wrong with stay in ./mutated.
+something did. Damaged copies that something is wrong with stay in ./mutated. The limit is one of processor time, so that it means
+the same on a busy machine. Each copy depends on the seed and its number alone.
 """
 import argparse
 import collections
@@ -13,7 +14,9 @@ import gzip
 import json
 import pathlib
 import random
+import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -23,14 +26,15 @@ parser.add_argument("program", type=pathlib.Path)
 parser.add_argument("folder", type=pathlib.Path)
 parser.add_argument("number", type=int)
 parser.add_argument("seed", type=int, nargs="?", default=1)
-parser.add_argument("--seconds", type=float, default=60)
+parser.add_argument("--first", type=int, default=0)
+parser.add_argument("--seconds", type=int, default=120)
 options = parser.parse_args()
 program = options.program.resolve()
 
 MESHES = (".off", ".obj", ".ply", ".stl", ".om")
 IMAGES = (".nrrd", ".mha", ".nii", ".nii.gz", ".vtk")
 files = sorted(f for f in options.folder.rglob("*") if f.name.lower().endswith(MESHES + IMAGES) and f.stat().st_size < 2 << 20)
-pick = random.Random(options.seed)
+pick = random.Random()
 
 
 def damaged(content, text):
@@ -67,10 +71,33 @@ def damaged(content, text):
 
 ISO = {"skull": "2.9", "engine": "180", "cranium": "300", "ch2": "35", "C57BL6_J_": "35", "headsq_uint8": "31", "headsq": "500"}
 outcomes = collections.Counter()
+longest = 0
+
+
+def run(*command):
+    """runs the program within the limit, and with one thread, so that its processor time is the time that it takes."""
+    return subprocess.run(command, capture_output=True, timeout=20 * options.seconds,
+                          preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (options.seconds, options.seconds + 5)))
+
+
+def processor_time():
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
 bad = pathlib.Path("mutated")
-with tempfile.TemporaryDirectory() as folder:
-    folder = pathlib.Path(folder)
-    for i in range(options.number):
+done = 0
+
+
+def stop(*_):
+    raise KeyboardInterrupt
+
+
+def damage_and_run(folder):
+    """copy after copy, each on its own."""
+    global longest, done
+    for i in range(options.first, options.number):
+        pick.seed(f"{options.seed} {i}")
         file = files[i % len(files)]
         content = file.read_bytes()
         is_mesh = file.name.lower().endswith(MESHES)
@@ -82,14 +109,16 @@ with tempfile.TemporaryDirectory() as folder:
         copy.write_bytes(content)
         report, graph = folder / "report.json", folder / "graph.graphml"
         arguments = [] if is_mesh else ["--iso", next((v for k, v in ISO.items() if file.name.startswith(k)), "300"), "--max-level", "3"]
-        command = [program, "extract", copy, *arguments, "--report", report, "-o", graph, "--quiet", "--memory-limit", "3G"]
+        command = [program, "extract", copy, *arguments, "--report", report, "-o", graph, "--quiet", "--memory-limit", "3G", "--threads", "1"]
         problem = None
+        before = processor_time()
         try:
-            result = subprocess.run(command, capture_output=True, timeout=options.seconds)
+            result = run(*command)
+            longest = max(longest, processor_time() - before)
             errors = result.stderr.decode(errors="replace")
             if result.returncode == 0:
                 failed = [name for name, holds in json.loads(report.read_text())["checks"].items() if holds is False]
-                again = subprocess.run([program, "check", graph], capture_output=True, timeout=options.seconds)
+                again = run(program, "check", graph)
                 if failed or again.returncode != 0:
                     problem = f"checks fail: {failed} {again.stdout.decode()[-300:]}"
                 outcomes["results"] += 1
@@ -99,10 +128,12 @@ with tempfile.TemporaryDirectory() as folder:
                 elif graph.exists() or report.exists():
                     problem = "an output beside an error"
                 outcomes["errors"] += 1
+            elif result.returncode == -signal.SIGXCPU:
+                problem = f"not done after {options.seconds} s of processor time"
             else:
                 problem = f"exit code {result.returncode}: {errors[-500:]}"
         except subprocess.TimeoutExpired:
-            problem = f"not done after {options.seconds} s"
+            problem = "hangs"
         for output in (report, graph):
             output.unlink(missing_ok=True)
         if problem:
@@ -111,5 +142,14 @@ with tempfile.TemporaryDirectory() as folder:
             shutil.copy(copy, bad)
             print(f"{copy.name}: {problem}", flush=True)
         copy.unlink()
-print(", ".join(f"{n} {what}" for what, n in outcomes.items()), "of", options.number, "copies")
+        done += 1
+
+
+signal.signal(signal.SIGTERM, stop)
+with tempfile.TemporaryDirectory() as folder:
+    try:
+        damage_and_run(pathlib.Path(folder))
+    except KeyboardInterrupt:
+        print("stopped")
+print(", ".join(f"{n} {what}" for what, n in outcomes.items()), f"of {done} copies, the longest {longest:.0f} s")
 sys.exit(1 if outcomes["problems"] else 0)
