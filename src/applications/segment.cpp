@@ -8,6 +8,7 @@
 #include "../cells/Union_find.h"
 #include "../cells/parallel.h"
 #include "../differential/vector.h"
+#include "bounding_box.h"
 #include "triangles.h"
 
 #include <fmt/format.h>
@@ -140,18 +141,6 @@ void sum_up(const Extremal_mesh& mesh, Segmentation& result) {
     result.area += area;
   }
   count_pieces(result);
-}
-
-double diagonal_of(const std::vector<Point>& points) {
-  if (points.empty())
-    return 0;
-  Point low = points[0], high = points[0];
-  for (const Point& p : points)
-    for (std::size_t a = 0; a < 3; ++a) {
-      low[a] = std::min(low[a], p[a]);
-      high[a] = std::max(high[a], p[a]);
-    }
-  return distance(low, high);
 }
 
 } // namespace

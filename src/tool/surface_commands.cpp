@@ -48,6 +48,18 @@ void add_segment(CLI::App& app, std::function<int()>& run) {
   c->footer("Example:\n  extremal_mesh segment femur.graphml femur.off --surface cells.ply --colour cell -o labelled.ply");
 }
 
+void add_reduce(CLI::App& app, std::function<int()>& run) {
+  const auto [c, o] = command(app, "reduce", "makes a surface of fewer triangles, with its crest lines kept", reduce, run);
+  option(c, "--faces", o->number_of_faces, "N", "until there are at most so many triangles (a tenth of the surface's)");
+  option(c, "--keep-crest", o->keep_crest, "STRENGTH", "crest lines of at least this strength are kept (0: all)");
+  option(c, "--line-tolerance", o->line_tolerance, "LENGTH",
+         "how far they may be from what is left of them (a thousandth of the surface's diagonal)");
+  add_common(c, *o,
+             "write the triangles with their cells (.ply .vtp), in the colours of these (.off .glb .gltf), a page (.html), a "
+             "picture (.png); repeatable");
+  c->footer("Example:\n  extremal_mesh reduce skull.graphml --surface cells.ply --keep-crest 2 --faces 20000 -o reduced.ply");
+}
+
 } // namespace
 
 void add_look(CLI::App& command, Output_options& options) {
@@ -62,6 +74,7 @@ void add_look(CLI::App& command, Output_options& options) {
 
 void add_surface_commands(CLI::App& app, std::function<int()>& run) {
   add_segment(app, run);
+  add_reduce(app, run);
 }
 
 } // namespace CGAL::Extremal_mesh_3::tool

@@ -7,6 +7,7 @@
 
 #include <CGAL/Extremal_mesh_3/segment.h>
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -29,6 +30,12 @@ struct Segment_options : Surface_command_options {
   std::optional<double> tolerance;
 };
 int segment(const Segment_options& options);
+
+struct Reduce_options : Surface_command_options {
+  std::optional<std::int64_t> number_of_faces;
+  std::optional<double> keep_crest, line_tolerance;
+};
+int reduce(const Reduce_options& options);
 
 /// A graph and its surface.
 struct Given_surface {
