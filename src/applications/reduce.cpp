@@ -1,16 +1,15 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CGAL/Extremal_mesh_3/cell_patches.h>
 #include <CGAL/Extremal_mesh_3/internal/manifold_patches.h>
 #include <CGAL/Extremal_mesh_3/lines.h>
 #include <CGAL/Extremal_mesh_3/reduce.h>
 #include <CGAL/Extremal_mesh_3/segment.h>
 
-#include "../algorithms/patches.h"
 #include "../cgal/collapse_edges.h"
 #include "../cgal/hausdorff_distance.h"
 #include "Line_edges.h"
 #include "bounding_box.h"
+#include "divide.h"
 
 #include <fmt/format.h>
 
@@ -48,25 +47,6 @@ std::vector<std::uint32_t> edges_to_keep(const Extremal_mesh& mesh, double least
   return edges;
 }
 
-/// the surface as triangles, no two edges of which join the same points: diagonals of neighbouring polygons may, and are then divided.
-Cell_patches divided_into_triangles(const Cell_patches& cells) {
-  for (Cell_patches surface = internal::manifold_patches(cells);;) {
-    surface = internal::manifold_patches(triangulate(surface));
-    if (surface.corners.size() == 3 * surface.cell.size())
-      return surface;
-  }
-}
-
-Triangles triangles_of(const Cell_patches& patches) {
-  Triangles triangles;
-  triangles.points = patches.points;
-  for (std::size_t i = 0; i < patches.cell.size(); ++i) {
-    const auto corners = polygon(patches, i);
-    triangles.corners.push_back({corners[0], corners[1], corners[2]});
-  }
-  return triangles;
-}
-
 Cell_complex complex_of(const Triangles& triangles) {
   std::vector<std::size_t> begin{0};
   std::vector<std::uint32_t> corners;
@@ -94,7 +74,7 @@ Reduction reduce(const Extremal_mesh& mesh, const Cell_patches& cells, const Red
   constexpr double share_of_size = 1e-3, share_for_error = 1e-4;
   const double diagonal = diagonal_of(cells.points);
 
-  Cell_patches surface = divided_into_triangles(cells);
+  Cell_patches surface = divide_into_triangles(internal::manifold_patches(cells));
   const Line_edges lines(surface);
   Reduction result;
   std::set<std::array<std::uint32_t, 2>> kept;

@@ -60,6 +60,16 @@ void add_reduce(CLI::App& app, std::function<int()>& run) {
   c->footer("Example:\n  extremal_mesh reduce skull.graphml --surface cells.ply --keep-crest 2 --faces 20000 -o reduced.ply");
 }
 
+void add_flatten(CLI::App& app, std::function<int()>& run) {
+  const auto [c, o] = command(app, "flatten", "maps each cell to the plane: those of four corners to a square", flatten, run);
+  option(c, "--surface", o->patches, "FILE", "the cells of GRAPH as 'extract --cells' wrote them (.ply)");
+  option(c, "-o,--output", o->output, "FILE", "write the surface with texture coordinates, a group per cell (.obj)");
+  c->add_flag("--json", o->json, "print one JSON object");
+  option(c, "--threads", o->threads, "N", "0: as many as there are cores (0)");
+  c->add_flag("--quiet", o->quiet, "print errors only");
+  c->footer("Example:\n  extremal_mesh flatten skull.graphml --surface cells.ply -o flat.obj");
+}
+
 } // namespace
 
 void add_look(CLI::App& command, Output_options& options) {
@@ -75,6 +85,7 @@ void add_look(CLI::App& command, Output_options& options) {
 void add_surface_commands(CLI::App& app, std::function<int()>& run) {
   add_segment(app, run);
   add_reduce(app, run);
+  add_flatten(app, run);
 }
 
 } // namespace CGAL::Extremal_mesh_3::tool

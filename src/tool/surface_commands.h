@@ -37,6 +37,13 @@ struct Reduce_options : Surface_command_options {
 };
 int reduce(const Reduce_options& options);
 
+struct Flatten_options {
+  std::string file, patches, output;
+  int threads = 0;
+  bool json = false, quiet = false;
+};
+int flatten(const Flatten_options& options);
+
 /// A graph and its surface.
 struct Given_surface {
   Extremal_mesh mesh;
