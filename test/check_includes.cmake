@@ -2,7 +2,7 @@
 # The numerics know nothing of CGAL but our own headers: plain doubles, compiled once (doc/architecture.md).
 cmake_minimum_required(VERSION 3.25)
 set(files)
-foreach(floor differential functions images cells polygons fitting extraction mesh algorithms queries simplification registration)
+foreach(floor differential functions images cells polygons fitting extraction mesh algorithms queries simplification applications registration)
   file(GLOB_RECURSE of_floor ${SOURCE_DIR}/src/${floor}/*.h ${SOURCE_DIR}/src/${floor}/*.cpp)
   if(NOT of_floor)
     message(FATAL_ERROR "src/${floor} has no sources: correct the list of floors")

@@ -1,13 +1,15 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The only file that knows ITK. Its readers are made directly: no factories, and nothing that another user of ITK in
+// This and dicom.cpp are the only files that know ITK. Its readers are made directly: no factories, and nothing that another user of ITK in
 // the same program could see.
 
 #include <CGAL/Extremal_mesh_3/Image.h>
 
 #include "change_of_coordinates.h"
+#include "dicom.h"
 #include "image_headers.h"
+#include "itk_reading.h"
 
 #include <fmt/format.h>
 #include <itkMetaImageIO.h>
@@ -63,8 +65,8 @@ const Format& format_of(const std::string& file) {
   for (const Format& format : formats)
     if (name.ends_with(format.extension))
       return format;
-  throw std::runtime_error(
-      "its name has none of the extensions that are read: .nrrd .nhdr .mha .mhd .nii .nii.gz .vtk");
+  throw std::runtime_error("its name has none of the extensions that are read: .nrrd .nhdr .mha .mhd .nii .nii.gz "
+                           ".vtk; nor is it a DICOM slice");
 }
 
 void check_file(const std::string& file) {
@@ -72,8 +74,6 @@ void check_file(const std::string& file) {
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status))
     throw std::runtime_error("it does not exist");
-  if (std::filesystem::is_directory(status))
-    throw std::runtime_error("it is a folder");
   if (!std::filesystem::is_regular_file(status))
     throw std::runtime_error("it is not a regular file");
   if (std::filesystem::file_size(file, error) == 0)
@@ -241,7 +241,15 @@ void require_finite(const Voxels& voxels) {
       throw std::runtime_error(fmt::format("its voxel {} is {}; expected a finite number", i, voxels[i]));
 }
 
-/// \throws std::runtime_error if so many bytes are more than allowed
+} // namespace
+
+Voxels read_voxels(itk::ImageIOBase& io, std::size_t n) {
+  Voxels voxels;
+  read_by_itk(io, n, voxels);
+  require_finite(voxels);
+  return voxels;
+}
+
 void require_memory(double bytes, std::uint64_t limit) {
   constexpr double mega = 0x1p20;
   if (bytes > double(limit))
@@ -250,17 +258,24 @@ void require_memory(double bytes, std::uint64_t limit) {
                     double(limit) / mega));
 }
 
+namespace {
+
 std::string scratch_folder(const Image_reading_options& options) {
   const char* const usual = std::getenv("TMPDIR");
   return !options.scratch_folder.empty() ? options.scratch_folder : usual && *usual ? usual : "/tmp";
 }
 
 Image read(const std::string& file, const Image_reading_options& options) {
+  static std::mutex itk_mutex; // NRRD's error messages and the silence are global
+  if (may_be_dicom(file)) {
+    const std::scoped_lock lock(itk_mutex);
+    const Silence silence;
+    return read_dicom(file, options);
+  }
   check_file(file);
   const Format& format = format_of(file);
   const Stored_voxels stored = format.find_voxels(file);
 
-  static std::mutex itk_mutex; // NRRD's error messages and the silence are global
   const std::scoped_lock lock(itk_mutex);
   const Silence silence;
   try {

@@ -40,7 +40,7 @@ int pixels(std::string_view text, std::string_view size) {
 
 } // namespace
 
-Outputs::Kind Outputs::kind_of(const std::string& file) {
+Outputs::Kind Outputs::kind_of(const std::string& file, Content content) {
   // longer endings come before those that they end in
   static constexpr std::pair<std::string_view, Kind> endings[] = {{".graphml", Kind::graphml},
                                                                   {".off", Kind::cell_polygons},
@@ -56,7 +56,18 @@ Outputs::Kind Outputs::kind_of(const std::string& file) {
                                                                   {".cells.csv", Kind::cells_csv},
                                                                   {".mrk.json", Kind::markups},
                                                                   {".json", Kind::json}};
+  static constexpr std::pair<std::string_view, Kind> endings_of_surfaces[] = {
+      {".ply", Kind::patches_ply}, {".off", Kind::patches_off}, {".vtp", Kind::vtp},  {".glb", Kind::gltf},
+      {".gltf", Kind::gltf},       {".html", Kind::page},       {".png", Kind::picture}};
   const std::string name = lower_case(std::filesystem::path(file).filename().string());
+  if (content == Content::surface) {
+    for (const auto& [ending, kind] : endings_of_surfaces)
+      if (name.ends_with(ending))
+        return kind;
+    throw Usage_error(fmt::format("the extension of '{}' is not known; give -o a .ply, .off, .vtp, .glb, .gltf, .html or "
+                                  ".png",
+                                  file));
+  }
   for (const auto& [ending, kind] : endings)
     if (name.ends_with(ending))
       return kind;
@@ -65,11 +76,11 @@ Outputs::Kind Outputs::kind_of(const std::string& file) {
                                 file));
 }
 
-Outputs::Outputs(const Output_options& options) {
+Outputs::Outputs(const Output_options& options, Content content) {
   if (options.threads < 0)
     throw Usage_error(fmt::format("the number of threads is {}; give --threads 0 for all cores", options.threads));
   for (const std::string& file : options.outputs) {
-    add(kind_of(file), file);
+    add(kind_of(file, content), file);
   }
   add(Kind::lines, options.lines);
   if (!options.cells.empty()) {

@@ -14,11 +14,14 @@
 
 namespace CGAL::Extremal_mesh_3::tool {
 
+/// What a command writes in the first place: other endings have other meanings.
+enum class Content { graph, surface };
+
 /// The files that a command was asked for.
 class Outputs {
 public:
   /// \throws Usage_error for an unknown extension or two outputs in one file; Io_error if one cannot be written
-  explicit Outputs(const Output_options& options);
+  explicit Outputs(const Output_options& options, Content content = Content::graph);
 
   /// takes note of a file that the command itself writes.
   /// \throws the same
@@ -60,7 +63,7 @@ private:
 
   /// what a file is, by its ending.
   /// \throws Usage_error if that is not known
-  static Kind kind_of(const std::string& file);
+  static Kind kind_of(const std::string& file, Content content);
   void add(Kind kind, const std::string& file);
   void write(const Output& output, const Result& result) const;
 

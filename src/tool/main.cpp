@@ -1,12 +1,13 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The command line. CLI11 takes long to compile and is included here, in registration_commands.cpp and in describe_program.cpp only.
+// The command line. CLI11 takes long to compile and is included here, in registration_commands.cpp, surface_commands.cpp and describe_program.cpp only.
 #include "Progress_bar.h"
 #include "commands.h"
 #include "describe_program.h"
 #include "memory_limit.h"
 #include "registration_commands.h"
+#include "surface_commands.h"
 
 #include <CGAL/Extremal_mesh_3/errors.h>
 #include <CGAL/Extremal_mesh_3/select.h>
@@ -50,20 +51,6 @@ constexpr const char* formats = "the graph (.graphml .json), its cells (.off), i
                                 "look at (.html), a picture (.png); "
                                 "repeatable";
 
-/// how pages and pictures look.
-void add_look(CLI::App& command, tool::Output_options& options) {
-  const auto option = [&](const std::string& name, auto& value, const std::string& type, const std::string& text) {
-    return command.add_option(name, value, text)->type_name(type);
-  };
-  option("--colour", options.colour, "sign|cell", "of cells: two tints by the sign of E_g, or one for each (sign)");
-  option("--show", options.show, "all|crest|surface", "in pictures: all, the crest lines alone, or no line (all)");
-  option("--view,--camera", options.view, "DX DY DZ", "the direction of sight of pages and pictures");
-  option("--up", options.up, "DX DY DZ", "what points upwards in them (0 0 1)");
-  option("--size", options.size, "WIDTHxHEIGHT", "of the picture in pixels (1600x1200)");
-  option("--threads", options.threads, "N", "0: as many as there are cores (0)");
-  command.add_flag("--quiet", options.quiet, "print errors only");
-}
-
 void add_json(CLI::App& command, tool::Output_options& options) {
   command.add_flag("--json", options.json, "print one JSON object");
 }
@@ -75,7 +62,7 @@ void add_outputs(CLI::App& command, tool::Output_options& options) {
   };
   option("-o,--output", options.outputs, "FILE", formats)->allow_extra_args(false);
   option("--lines", options.lines, "FILE", "write the lines as coloured tubes (.off)");
-  add_look(command, options);
+  tool::add_look(command, options);
 }
 
 void add_extract(CLI::App& app, tool::Extract_options& options, std::function<int()>& run) {
@@ -83,7 +70,8 @@ void add_extract(CLI::App& app, tool::Extract_options& options, std::function<in
       app.add_subcommand("extract", "extracts the extremal mesh of a surface f = 0, an image or a polygon mesh");
   command
       ->add_option("INPUT", options.input,
-                   "an image: .nrrd .nhdr .mha .mhd .nii .nii.gz .vtk; or a mesh: .off .obj .ply .stl .om")
+                   "an image: .nrrd .nhdr .mha .mhd .nii .nii.gz .vtk, a folder of DICOM slices or one of them; or a "
+                   "mesh: .off .obj .ply .stl .om")
       ->type_name("");
   const auto option = [&](const std::string& name, auto& value, const std::string& type, const std::string& text) {
     return command->add_option(name, value, text)->type_name(type);
@@ -174,7 +162,7 @@ void add_view(CLI::App& app, tool::View_command_options& options, std::function<
   };
   option("-o,--output", options.outputs, "FILE", "a page that needs no network (.html), a picture (.png); repeatable")
       ->allow_extra_args(false);
-  add_look(*command, options);
+  tool::add_look(*command, options);
   add_json(*command, options);
   command->footer(
       "Example:\n  extremal_mesh view skull.graphml --surface cells.ply -o skull.html\n"
@@ -281,6 +269,7 @@ int run(int argc, char** argv) {
   tool::View_command_options convert_options;
   add_convert(app, convert_options, command);
   tool::add_registration_commands(app, command);
+  tool::add_surface_commands(app, command);
   bool print_man_page = false, print_completion = false;
   app.add_flag("--man-page", print_man_page)->group(""); // for the build; not shown
   app.add_flag("--bash-completion", print_completion)->group("");
@@ -298,7 +287,7 @@ int run(int argc, char** argv) {
     };
   if (!command)
     return tell("there is no command; give extract, info, check, simplify, query, register, compare, landmarks, match, "
-                "scale-space, view or convert",
+                "scale-space, segment, reduce, flatten, view or convert",
                 tool::usage);
   const int code = command();
   if (std::fflush(stdout) != 0)

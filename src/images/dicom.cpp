@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The Extremal_mesh_3 authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Slices are read by GDCM through ITK, and put together here: ITK's reader of series takes the distance of the first two slices for that of all, does not know
+// of lattices that are not rectangular, as a tilted gantry makes them, and only warns of missing slices. The positions are those of DICOM PS3.3,
+// C.7.6.2.1.1 (Image Position and Image Orientation).
+#include "dicom.h"
+
+#include "change_of_coordinates.h"
+#include "itk_reading.h"
+
+#include <fmt/format.h>
+#include <itkGDCMImageIO.h>
+#include <itkMetaDataObject.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+
+namespace CGAL::Extremal_mesh_3 {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An error of so much of a step is one of rounding in the file.
+constexpr double position_tolerance = 0.02;
+constexpr double direction_tolerance = 1e-4;
+
+struct Slice {
+  std::string file, series;
+  std::array<std::size_t, 2> size{};
+  std::array<Vector, 2> step{};
+  Point origin{};
+  double height = 0; ///< along the normal
+
+  std::string name() const { return fs::path(file).filename().string(); }
+};
+
+double dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+bool has_mark(const fs::path& file) {
+  constexpr std::size_t preamble = 128;
+  char bytes[preamble + 4] = {};
+  std::ifstream in(file, std::ios::binary);
+  return in.read(bytes, sizeof bytes) && std::memcmp(bytes + preamble, "DICM", 4) == 0;
+}
+
+itk::GDCMImageIO::Pointer open(const std::string& file) {
+  const auto io = itk::GDCMImageIO::New();
+  io->SetFileName(file);
+  try {
+    io->ReadImageInformation();
+  } catch (const itk::ExceptionObject&) {
+    throw std::runtime_error(
+        fmt::format("its slice '{}' is damaged, or is no image", fs::path(file).filename().string()));
+  }
+  return io;
+}
+
+Slice slice_of(const std::string& file) {
+  const auto io = open(file);
+  Slice slice;
+  slice.file = file;
+  itk::ExposeMetaData<std::string>(io->GetMetaDataDictionary(), "0020|000e", slice.series);
+  if (io->GetNumberOfComponents() != 1)
+    throw std::runtime_error(
+        fmt::format("its slice '{}' has {} values per voxel; expected one", slice.name(), io->GetNumberOfComponents()));
+  if (io->GetNumberOfDimensions() > 2 && io->GetDimensions(2) != 1)
+    throw std::runtime_error(
+        fmt::format("its file '{}' has {} frames; expected one slice a file", slice.name(), io->GetDimensions(2)));
+  for (unsigned a = 0; a < 2; ++a) {
+    slice.size[a] = io->GetDimensions(a);
+    const std::vector<double> direction = io->GetDirection(a);
+    for (std::size_t i = 0; i < 3; ++i)
+      slice.step[a][i] = io->GetSpacing(a) * direction[i] + 0.0;
+  }
+  for (unsigned i = 0; i < 3; ++i)
+    slice.origin[i] = io->GetOrigin(i) + 0.0;
+  return slice;
+}
+
+/// the slices that a path means.
+std::vector<Slice> slices_of(const std::string& path) {
+  const bool is_folder = fs::is_directory(path);
+  const fs::path folder = is_folder ? fs::path(path) : fs::absolute(path).parent_path();
+  std::vector<std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file() && has_mark(entry.path()))
+      files.push_back(entry.path().string());
+  std::sort(files.begin(), files.end());
+  if (files.empty())
+    throw std::runtime_error("it is a folder without DICOM slices");
+  std::vector<Slice> slices;
+  const std::string wanted = is_folder ? "" : slice_of(path).series;
+  std::set<std::string> series;
+  for (const std::string& file : files) {
+    Slice slice = slice_of(file);
+    if (!is_folder && slice.series != wanted)
+      continue;
+    series.insert(slice.series);
+    slices.push_back(std::move(slice));
+  }
+  if (series.size() > 1)
+    throw std::runtime_error(
+        fmt::format("the slices of {} series are in it; give one slice of that which is meant", series.size()));
+  return slices;
+}
+
+/// \throws std::runtime_error if slices differ in what they must have in common
+void require_alike(const std::vector<Slice>& slices) {
+  const Slice& first = slices.front();
+  for (const Slice& slice : slices) {
+    if (slice.size != first.size)
+      throw std::runtime_error(fmt::format("its slice '{}' has {} x {} voxels, '{}' has {} x {}", slice.name(),
+                                           slice.size[0], slice.size[1], first.name(), first.size[0], first.size[1]));
+    for (std::size_t a = 0; a < 2; ++a)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (!(std::abs(slice.step[a][i] - first.step[a][i]) <=
+              direction_tolerance * std::sqrt(dot(first.step[a], first.step[a]))))
+          throw std::runtime_error(fmt::format("its slice '{}' has another orientation or size of voxels than '{}'",
+                                               slice.name(), first.name()));
+  }
+}
+
+/// sorts the slices along their normal.
+/// \return the step from each to the next
+/// \throws std::runtime_error if that is not the same everywhere
+Vector order(std::vector<Slice>& slices) {
+  const auto& [u, v] = slices.front().step;
+  Vector normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  const double length = std::sqrt(dot(normal, normal));
+  for (Slice& slice : slices)
+    slice.height = dot(normal, slice.origin) / length;
+  std::stable_sort(slices.begin(), slices.end(), [](const Slice& a, const Slice& b) { return a.height < b.height; });
+  std::vector<double> gaps;
+  for (std::size_t k = 0; k + 1 < slices.size(); ++k)
+    gaps.push_back(slices[k + 1].height - slices[k].height);
+  std::vector<double> sorted = gaps;
+  std::sort(sorted.begin(), sorted.end());
+  const double usual = sorted[sorted.size() / 2];
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    const std::string where = fmt::format("'{}' and '{}'", slices[k].name(), slices[k + 1].name());
+    if (!(gaps[k] > position_tolerance * usual) || usual == 0)
+      throw std::runtime_error(fmt::format("its slices {} are in the same place", where));
+    const double steps = gaps[k] / usual;
+    if (std::abs(steps - 1) <= position_tolerance)
+      continue;
+    if (steps > 1.5 && std::abs(steps - std::round(steps)) <= position_tolerance * steps)
+      throw std::runtime_error(fmt::format("{} of its slices {} missing between {}", std::round(steps) - 1,
+                                           std::round(steps) > 2 ? "are" : "is", where));
+    throw std::runtime_error(fmt::format(
+        "the distance of its slices {} is {:.6g}, of others {:.6g}; expected equal ones", where, gaps[k], usual));
+  }
+  Vector step;
+  for (std::size_t i = 0; i < 3; ++i)
+    step[i] = (slices.back().origin[i] - slices.front().origin[i]) / double(slices.size() - 1);
+  for (std::size_t k = 0; k < slices.size(); ++k) {
+    Vector away;
+    for (std::size_t i = 0; i < 3; ++i)
+      away[i] = slices[k].origin[i] - slices.front().origin[i] - double(k) * step[i];
+    if (!(std::sqrt(dot(away, away)) <= position_tolerance * usual * 2))
+      throw std::runtime_error(fmt::format("its slice '{}' is shifted by {:.4g} against the others", slices[k].name(),
+                                           std::sqrt(dot(away, away))));
+  }
+  return step;
+}
+
+} // namespace
+
+bool may_be_dicom(const std::string& path) {
+  std::error_code error;
+  return fs::is_directory(path, error) || (fs::is_regular_file(path, error) && has_mark(path));
+}
+
+Image read_dicom(const std::string& path, const Image_reading_options& options) {
+  std::vector<Slice> slices = slices_of(path);
+  constexpr std::size_t least_size = 4;
+  if (slices.size() < least_size)
+    throw std::runtime_error(fmt::format("it has {} slices; expected at least {}", slices.size(), least_size));
+  require_alike(slices);
+  Image image;
+  Lattice& lattice = image.lattice;
+  const std::array<Vector, 2> in_slice = slices.front().step;
+  lattice.step = {in_slice[0], in_slice[1], order(slices)};
+  lattice.origin = slices.front().origin;
+  lattice.size = {slices.front().size[0], slices.front().size[1], slices.size()};
+  for (std::size_t a = 0; a < 2; ++a)
+    if (lattice.size[a] < least_size)
+      throw std::runtime_error(
+          fmt::format("its size along axis {} is {}; expected at least {}", a + 1, lattice.size[a], least_size));
+  if (!inverse_of_columns(lattice.step))
+    throw std::runtime_error("its direction matrix is singular");
+  const std::size_t n = lattice.size[0] * lattice.size[1];
+  require_memory(double(n) * double(slices.size()) * sizeof(float), options.memory_limit);
+  for (const Slice& slice : slices) {
+    const auto io = open(slice.file);
+    try {
+      const Voxels voxels = read_voxels(*io, n);
+      image.voxels.insert(image.voxels.end(), voxels.begin(), voxels.end());
+    } catch (const itk::ExceptionObject&) {
+      throw std::runtime_error(fmt::format("its slice '{}' is damaged or truncated", slice.name()));
+    }
+  }
+  return image;
+}
+
+} // namespace CGAL::Extremal_mesh_3
