@@ -57,7 +57,8 @@ itk::GDCMImageIO::Pointer open(const std::string& file) {
   try {
     io->ReadImageInformation();
   } catch (const itk::ExceptionObject&) {
-    throw std::runtime_error(fmt::format("its slice '{}' is damaged, or is no image", fs::path(file).filename().string()));
+    throw std::runtime_error(
+        fmt::format("its slice '{}' is damaged, or is no image", fs::path(file).filename().string()));
   }
   return io;
 }
@@ -68,8 +69,8 @@ Slice slice_of(const std::string& file) {
   slice.file = file;
   itk::ExposeMetaData<std::string>(io->GetMetaDataDictionary(), "0020|000e", slice.series);
   if (io->GetNumberOfComponents() != 1)
-    throw std::runtime_error(fmt::format("its slice '{}' has {} values per voxel; expected one", slice.name(),
-                                         io->GetNumberOfComponents()));
+    throw std::runtime_error(
+        fmt::format("its slice '{}' has {} values per voxel; expected one", slice.name(), io->GetNumberOfComponents()));
   if (io->GetNumberOfDimensions() > 2 && io->GetDimensions(2) != 1)
     throw std::runtime_error(
         fmt::format("its file '{}' has {} frames; expected one slice a file", slice.name(), io->GetDimensions(2)));
@@ -153,8 +154,8 @@ Vector order(std::vector<Slice>& slices) {
     if (steps > 1.5 && std::abs(steps - std::round(steps)) <= position_tolerance * steps)
       throw std::runtime_error(fmt::format("{} of its slices {} missing between {}", std::round(steps) - 1,
                                            std::round(steps) > 2 ? "are" : "is", where));
-    throw std::runtime_error(fmt::format("the distance of its slices {} is {:.6g}, of others {:.6g}; expected equal ones",
-                                         where, gaps[k], usual));
+    throw std::runtime_error(fmt::format(
+        "the distance of its slices {} is {:.6g}, of others {:.6g}; expected equal ones", where, gaps[k], usual));
   }
   Vector step;
   for (std::size_t i = 0; i < 3; ++i)
@@ -164,8 +165,8 @@ Vector order(std::vector<Slice>& slices) {
     for (std::size_t i = 0; i < 3; ++i)
       away[i] = slices[k].origin[i] - slices.front().origin[i] - double(k) * step[i];
     if (!(std::sqrt(dot(away, away)) <= position_tolerance * usual * 2))
-      throw std::runtime_error(
-          fmt::format("its slice '{}' is shifted by {:.4g} against the others", slices[k].name(), std::sqrt(dot(away, away))));
+      throw std::runtime_error(fmt::format("its slice '{}' is shifted by {:.4g} against the others", slices[k].name(),
+                                           std::sqrt(dot(away, away))));
   }
   return step;
 }

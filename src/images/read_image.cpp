@@ -62,8 +62,8 @@ const Format& format_of(const std::string& file) {
   for (const Format& format : formats)
     if (name.ends_with(format.extension))
       return format;
-  throw std::runtime_error(
-      "its name has none of the extensions that are read: .nrrd .nhdr .mha .mhd .nii .nii.gz .vtk; nor is it a DICOM slice");
+  throw std::runtime_error("its name has none of the extensions that are read: .nrrd .nhdr .mha .mhd .nii .nii.gz "
+                           ".vtk; nor is it a DICOM slice");
 }
 
 void check_file(const std::string& file) {

@@ -66,7 +66,8 @@ void add_extract(CLI::App& app, tool::Extract_options& options, std::function<in
       app.add_subcommand("extract", "extracts the extremal mesh of a surface f = 0, an image or a polygon mesh");
   command
       ->add_option("INPUT", options.input,
-                   "an image: .nrrd .nhdr .mha .mhd .nii .nii.gz .vtk, a folder of DICOM slices or one of them; or a mesh: .off .obj .ply .stl .om")
+                   "an image: .nrrd .nhdr .mha .mhd .nii .nii.gz .vtk, a folder of DICOM slices or one of them; or a "
+                   "mesh: .off .obj .ply .stl .om")
       ->type_name("");
   const auto option = [&](const std::string& name, auto& value, const std::string& type, const std::string& text) {
     return command->add_option(name, value, text)->type_name(type);

@@ -37,31 +37,38 @@ void add_common(CLI::App* command, Surface_command_options& options, const char*
 
 void add_segment(CLI::App& app, std::function<int()>& run) {
   const auto [c, o] = command(app, "segment", "tells the cell of each face of a surface", segment, run);
-  option(c, "MESH", o->input, "",
-         "a mesh of the same surface, not cut along the lines: .off .obj .ply .stl .om; without it the faces are those of "
-         "--surface");
+  option(
+      c, "MESH", o->input, "",
+      "a mesh of the same surface, not cut along the lines: .off .obj .ply .stl .om; without it the faces are those of "
+      "--surface");
   option(c, "--tolerance", o->tolerance, "LENGTH",
          "how far MESH may be from the cells (a hundredth of the surface's diagonal)");
-  add_common(c, *o,
-             "write the faces with their cells (.ply .vtp), in the colours of these (.off .glb .gltf), a page (.html), a "
-             "picture (.png); repeatable");
-  c->footer("Example:\n  extremal_mesh segment femur.graphml femur.off --surface cells.ply --colour cell -o labelled.ply");
+  add_common(
+      c, *o,
+      "write the faces with their cells (.ply .vtp), in the colours of these (.off .glb .gltf), a page (.html), a "
+      "picture (.png); repeatable");
+  c->footer(
+      "Example:\n  extremal_mesh segment femur.graphml femur.off --surface cells.ply --colour cell -o labelled.ply");
 }
 
 void add_reduce(CLI::App& app, std::function<int()>& run) {
-  const auto [c, o] = command(app, "reduce", "makes a surface of fewer triangles, with its crest lines kept", reduce, run);
+  const auto [c, o] =
+      command(app, "reduce", "makes a surface of fewer triangles, with its crest lines kept", reduce, run);
   option(c, "--faces", o->number_of_faces, "N", "until there are at most so many triangles (a tenth of the surface's)");
   option(c, "--keep-crest", o->keep_crest, "STRENGTH", "crest lines of at least this strength are kept (0: all)");
   option(c, "--line-tolerance", o->line_tolerance, "LENGTH",
          "how far they may be from what is left of them (a thousandth of the surface's diagonal)");
-  add_common(c, *o,
-             "write the triangles with their cells (.ply .vtp), in the colours of these (.off .glb .gltf), a page (.html), a "
-             "picture (.png); repeatable");
-  c->footer("Example:\n  extremal_mesh reduce skull.graphml --surface cells.ply --keep-crest 2 --faces 20000 -o reduced.ply");
+  add_common(
+      c, *o,
+      "write the triangles with their cells (.ply .vtp), in the colours of these (.off .glb .gltf), a page (.html), a "
+      "picture (.png); repeatable");
+  c->footer(
+      "Example:\n  extremal_mesh reduce skull.graphml --surface cells.ply --keep-crest 2 --faces 20000 -o reduced.ply");
 }
 
 void add_flatten(CLI::App& app, std::function<int()>& run) {
-  const auto [c, o] = command(app, "flatten", "maps each cell to the plane: those of four corners to a square", flatten, run);
+  const auto [c, o] =
+      command(app, "flatten", "maps each cell to the plane: those of four corners to a square", flatten, run);
   option(c, "--surface", o->patches, "FILE", "the cells of GRAPH as 'extract --cells' wrote them (.ply)");
   option(c, "-o,--output", o->output, "FILE", "write the surface with texture coordinates, a group per cell (.obj)");
   c->add_flag("--json", o->json, "print one JSON object");
