@@ -51,7 +51,9 @@ std::string vector_text(const std::vector<double>& numbers) {
   for (const double x : numbers) {
     char buffer[32];
     std::snprintf(buffer, sizeof buffer, "%.10g", x);
-    text += (text.empty() ? "" : "\\") + std::string(buffer);
+    if (!text.empty())
+      text += '\\';
+    text += buffer;
   }
   return text;
 }
@@ -147,7 +149,8 @@ Series tilted(double degrees) {
 
 void write_series(const Temporary_folder& folder, const Series& series) {
   for (std::size_t k = 0; k < series.lattice.size[2]; ++k)
-    write_slice(folder.file(name_of(k)), series, k, series.lattice.node(0, 0, double(k)), slice_of_ellipsoid(series, k));
+    write_slice(folder.file(name_of(k)), series, k, series.lattice.node(0, 0, double(k)),
+                slice_of_ellipsoid(series, k));
 }
 
 /// a few voxels, for what is refused.

@@ -141,8 +141,7 @@ TEST(Segment, labels_a_real_mesh_as_its_cut_faces_are) {
   fit.radius = 0.1;
   Extraction_options options;
   options.patches = true;
-  const Extraction extraction =
-      extract_extremal_mesh(femur.cells, fit_vertex_shapes(femur.cells, fit).shapes, options);
+  const Extraction extraction = extract_extremal_mesh(femur.cells, fit_vertex_shapes(femur.cells, fit).shapes, options);
   const Segmentation whole = segment(femur.cells, extraction.mesh, extraction.patches),
                      cut = segment(extraction.mesh, extraction.patches);
   EXPECT_EQ(number_of_faces(whole), femur.cells.number_of_cells());
@@ -158,16 +157,19 @@ TEST(Segment, refuses_a_surface_that_is_elsewhere) {
   Cell_complex surface = ellipsoid_cells(20);
   for (Point& p : surface.points)
     p[0] += 1;
-  EXPECT_TRUE(refusal([&] { segment(surface, mesh, patches); }).find("of the surface are farther") != std::string::npos);
+  EXPECT_TRUE(refusal([&] { segment(surface, mesh, patches); }).find("of the surface are farther") !=
+              std::string::npos);
 }
 
 TEST(Segment, refuses_cells_that_are_not_those_of_the_mesh) {
   const auto& [mesh, report, patches] = extraction();
   Cell_patches others = patches;
-  std::swap(*std::find(others.cell.begin(), others.cell.end(), 0U), *std::find(others.cell.begin(), others.cell.end(), 1U));
+  std::swap(*std::find(others.cell.begin(), others.cell.end(), 0U),
+            *std::find(others.cell.begin(), others.cell.end(), 1U));
   for (Point& p : others.points)
     p[2] *= 1.01;
-  EXPECT_TRUE(refusal([&] { segment(mesh, others); }).starts_with("the surface is not that of the extremal mesh: cell "));
+  EXPECT_TRUE(
+      refusal([&] { segment(mesh, others); }).starts_with("the surface is not that of the extremal mesh: cell "));
   others = patches;
   others.cell[7] = 8;
   EXPECT_NE(refusal([&] { segment(mesh, others); }), "");

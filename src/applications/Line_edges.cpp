@@ -36,7 +36,8 @@ std::vector<std::uint32_t> Line_edges::points_at(const Point& p) const {
   return points;
 }
 
-std::vector<std::array<std::uint32_t, 2>> Line_edges::along(const std::vector<Point>& polyline, std::size_t edge) const {
+std::vector<std::array<std::uint32_t, 2>> Line_edges::along(const std::vector<Point>& polyline,
+                                                            std::size_t edge) const {
   std::vector<std::array<std::uint32_t, 2>> found;
   const auto find = [&](const Point& p, const Point& q) {
     const auto here = points_at(p), there = points_at(q), middles = points_at(0.5 * (p + q)),
@@ -60,10 +61,11 @@ std::vector<std::array<std::uint32_t, 2>> Line_edges::along(const std::vector<Po
   };
   for (std::size_t i = 0; i + 1 < polyline.size(); ++i)
     if (polyline[i] != polyline[i + 1] && !find(polyline[i], polyline[i + 1]))
-      throw std::invalid_argument(fmt::format("the surface is not cut along edge {} of the extremal mesh: it has no edge from "
-                                              "{:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} {:.6g}",
-                                              edge, polyline[i][0], polyline[i][1], polyline[i][2], polyline[i + 1][0],
-                                              polyline[i + 1][1], polyline[i + 1][2]));
+      throw std::invalid_argument(
+          fmt::format("the surface is not cut along edge {} of the extremal mesh: it has no edge from "
+                      "{:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} {:.6g}",
+                      edge, polyline[i][0], polyline[i][1], polyline[i][2], polyline[i + 1][0], polyline[i + 1][1],
+                      polyline[i + 1][2]));
   return found;
 }
 

@@ -47,7 +47,8 @@ void add_divided(Cell_patches& patches, const std::array<std::uint32_t, 3>& tria
     }
   }
   for (std::size_t i = 1; i + 1 < around.size(); ++i)
-    add_triangle(patches, around[first], around[(first + i) % around.size()], around[(first + i + 1) % around.size()], cell);
+    add_triangle(patches, around[first], around[(first + i) % around.size()], around[(first + i + 1) % around.size()],
+                 cell);
 }
 
 } // namespace
@@ -110,7 +111,8 @@ Cell_patches divide_into_triangles(const Cell_patches& manifold) {
   return result;
 }
 
-Cell_patches divide_edges(const Cell_patches& triangles, const std::function<bool(std::uint32_t, std::uint32_t)>& choose) {
+Cell_patches divide_edges(const Cell_patches& triangles,
+                          const std::function<bool(std::uint32_t, std::uint32_t)>& choose) {
   Cell_patches result;
   result.points = triangles.points;
   result.normals = triangles.normals;

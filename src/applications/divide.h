@@ -16,7 +16,8 @@ namespace CGAL::Extremal_mesh_3 {
 Cell_patches divide_into_triangles(const Cell_patches& manifold);
 
 /// divides the edges of triangles that are chosen in the middle. The triangles keep their cells. O(n log n).
-Cell_patches divide_edges(const Cell_patches& triangles, const std::function<bool(std::uint32_t, std::uint32_t)>& choose);
+Cell_patches divide_edges(const Cell_patches& triangles,
+                          const std::function<bool(std::uint32_t, std::uint32_t)>& choose);
 
 /// the triangles without their cells.
 Triangles triangles_of(const Cell_patches& triangles);

@@ -150,7 +150,9 @@ Plane_point polygon_corner(double i, std::size_t n) {
 std::vector<Plane_point> places_of_border(const Cell_patches& faces, const std::vector<std::uint32_t>& border,
                                           const std::vector<std::size_t>& corners) {
   const std::size_t n = corners.size(), m = border.size();
-  const auto length = [&](std::size_t i) { return distance(faces.points[border[i]], faces.points[border[(i + 1) % m]]); };
+  const auto length = [&](std::size_t i) {
+    return distance(faces.points[border[i]], faces.points[border[(i + 1) % m]]);
+  };
   std::vector<Plane_point> places(m);
   const bool round = n < 3;
   const std::size_t sides = round ? 1 : n;
@@ -183,7 +185,8 @@ double area_distortion(const Triangles& disc, const std::vector<Plane_point>& pl
   double sum = 0;
   for (std::size_t i = 0; i < on_surface.size(); ++i)
     if (on_surface[i] > 0 && in_plane[i] > 0)
-      sum += on_surface[i] / sum_on_surface * std::abs(std::log(in_plane[i] / sum_in_plane * sum_on_surface / on_surface[i]));
+      sum += on_surface[i] / sum_on_surface *
+             std::abs(std::log(in_plane[i] / sum_in_plane * sum_on_surface / on_surface[i]));
   return std::exp(sum);
 }
 

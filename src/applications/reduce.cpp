@@ -1,12 +1,13 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Extremal_mesh_3/Patch_locator.h>
 #include <CGAL/Extremal_mesh_3/internal/manifold_patches.h>
 #include <CGAL/Extremal_mesh_3/lines.h>
 #include <CGAL/Extremal_mesh_3/reduce.h>
 #include <CGAL/Extremal_mesh_3/segment.h>
 
+#include "../cells/parallel.h"
 #include "../cgal/collapse_edges.h"
-#include "../cgal/hausdorff_distance.h"
 #include "Line_edges.h"
 #include "bounding_box.h"
 #include "divide.h"
@@ -18,6 +19,7 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -57,6 +59,19 @@ Cell_complex complex_of(const Triangles& triangles) {
   return make_cell_complex(triangles.points, begin, corners);
 }
 
+/// the largest distance of a point, or of the middle of a triangle, of one surface from another one.
+double distance_from(const Triangles& surface, const Patch_locator& other, int threads) {
+  std::vector<Point> samples = surface.points;
+  constexpr double third = 1.0 / 3;
+  for (const auto& [a, b, c] : surface.corners)
+    samples.push_back(third * (surface.points[a] + surface.points[b] + surface.points[c]));
+  std::vector<double> distances(samples.size());
+  constexpr std::size_t grain = 256;
+  Thread_pool(threads).for_each(samples.size(), grain,
+                                [&](std::size_t i) { distances[i] = other.nearest(samples[i])->distance; });
+  return *std::max_element(distances.begin(), distances.end());
+}
+
 /// each step of the work as a part of the whole.
 Progress part_of(const Progress& whole, double first, double last) {
   if (!whole)
@@ -71,7 +86,7 @@ Reduction reduce(const Extremal_mesh& mesh, const Cell_patches& cells, const Red
   require_cells_of(mesh, cells);
   if (cells.cell.empty())
     throw std::invalid_argument("the surface of the cells has no polygon");
-  constexpr double share_of_size = 1e-3, share_for_error = 1e-4;
+  constexpr double share_of_size = 1e-3;
   const double diagonal = diagonal_of(cells.points);
 
   Cell_patches surface = divide_into_triangles(internal::manifold_patches(cells));
@@ -107,13 +122,15 @@ Reduction reduce(const Extremal_mesh& mesh, const Cell_patches& cells, const Red
   result.euler_characteristic = reduced.euler_characteristic();
   if (options.progress && !options.progress(0.8))
     throw Cancelled();
-  result.surface_deviation_error = share_for_error * diagonal;
-  result.surface_deviation = hausdorff_distance(before, collapsed.triangles, result.surface_deviation_error);
   Segmentation_options whatever;
   whatever.tolerance = std::numeric_limits<double>::max();
   whatever.threads = options.threads;
-  whatever.progress = part_of(options.progress, 0.9, 1);
-  result.faces = segment(reduced, mesh, cells, whatever).faces;
+  whatever.progress = part_of(options.progress, 0.8, 1);
+  Segmentation segmentation = segment(reduced, mesh, cells, whatever);
+  result.faces = std::move(segmentation.faces);
+  surface.normals = std::move(request.normals);
+  result.surface_deviation = std::max(distance_from(before, Patch_locator(result.faces), options.threads),
+                                      distance_from(collapsed.triangles, Patch_locator(surface), options.threads));
   return result;
 }
 

@@ -31,9 +31,10 @@ void require_cells_of(const Extremal_mesh& mesh, const Cell_patches& cells) {
     whole += cell.area;
   for (std::size_t c = 0; c < area.size(); ++c)
     if (!(std::abs(area[c] - mesh.cell(c).area) <= share * whole))
-      throw std::invalid_argument(fmt::format("the surface is not that of the extremal mesh: cell {} has the area {:.6g} on "
-                                              "it, and {:.6g} in the mesh",
-                                              c, area[c], mesh.cell(c).area));
+      throw std::invalid_argument(
+          fmt::format("the surface is not that of the extremal mesh: cell {} has the area {:.6g} on "
+                      "it, and {:.6g} in the mesh",
+                      c, area[c], mesh.cell(c).area));
 }
 
 } // namespace CGAL::Extremal_mesh_3

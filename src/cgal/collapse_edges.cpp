@@ -97,9 +97,9 @@ std::vector<Chain> chains_of(const std::vector<std::array<std::uint32_t, 2>>& ed
 double deviation(const Triangles& surface, const Chain& chain, std::size_t first, std::size_t last) {
   double largest = 0;
   for (std::size_t i = first + 1; i < last; ++i)
-    largest = std::max(largest,
-                       distance_to_segment(surface.points[chain.points[i]], surface.points[chain.points[first]],
-                                           surface.points[chain.points[last]]));
+    largest =
+        std::max(largest, distance_to_segment(surface.points[chain.points[i]], surface.points[chain.points[first]],
+                                              surface.points[chain.points[last]]));
   return largest;
 }
 
@@ -121,18 +121,32 @@ struct Working_surface {
         given_of[Vertex(p)] = p;
   }
   /// forgets what was removed, for CGAL's algorithms take numbers for those of elements that are there.
-  void number_anew() {
+  void number_anew(const std::vector<Chain>& chains) {
     mesh.collect_garbage();
+    std::fill(vertex_of.begin(), vertex_of.end(), Mesh::null_vertex());
     for (const Vertex v : mesh.vertices())
       if (given_of[v] != none)
         vertex_of[given_of[v]] = v;
+    // Edges without length CGAL collapses beforehand, and tells nobody: such points are found again by their places, which they keep.
+    std::map<Point, Vertex> at;
+    for (const Edge e : mesh.edges())
+      if (is_kept[e])
+        for (const int end : {0, 1})
+          at.emplace(point_of(mesh.point(mesh.vertex(e, unsigned(end)))), mesh.vertex(e, unsigned(end)));
+    for (const Chain& chain : chains)
+      for (std::size_t i = 0; i < chain.points.size(); i = chain.next[i])
+        if (const std::uint32_t p = chain.points[i]; vertex_of[p] == Mesh::null_vertex())
+          if (const auto found = at.find(given.points[p]); found != at.end()) {
+            vertex_of[p] = found->second;
+            given_of[found->second] = p;
+          }
   }
 
   const Triangles& given;
   Mesh mesh;
   Normal_of normal_of;
-  Given_of given_of; ///< of vertices of kept lines: their points
-  Is_kept is_kept;   ///< segments of lines
+  Given_of given_of;             ///< of vertices of kept lines: their points
+  Is_kept is_kept;               ///< segments of lines
   std::vector<Vertex> vertex_of; ///< of points of kept lines
 };
 
@@ -176,11 +190,12 @@ private:
   /// moves a point into a neighbour, if the surface stays what it is.
   bool collapse(std::uint32_t moving, std::uint32_t staying) {
     const Vertex from = surface_.vertex_of[moving], to = surface_.vertex_of[staying];
+    if (from == to)
+      return false;
     const Half h = mesh_.halfedge(from, to);
     if (h == Mesh::null_halfedge() || !CGAL::Euler::does_satisfy_link_condition(mesh_.edge(h), mesh_))
       return false;
-    // what is on the border stays on it
-    if (mesh_.is_border(from) && !mesh_.is_border(mesh_.edge(h)))
+    if (mesh_.is_border(from)) // the border keeps its course
       return false;
     for (const Half around : mesh_.halfedges_around_target(mesh_.opposite(h))) {
       if (mesh_.is_border(around))
@@ -205,8 +220,7 @@ private:
 /// Model of CGAL's concept StopPredicate.
 struct At_most {
   std::size_t number_of_faces;
-  template <class Cost>
-  bool operator()(const Cost&, const auto& profile, std::size_t, std::size_t) const {
+  template <class Cost> bool operator()(const Cost&, const auto& profile, std::size_t, std::size_t) const {
     return profile.surface_mesh().number_of_faces() <= number_of_faces;
   }
 };
@@ -273,15 +287,19 @@ void mark(Working_surface& surface, const std::vector<Chain>& chains) {
     surface.is_kept[e] = false;
   for (const Chain& chain : chains)
     for (std::size_t i = 0; chain.next[i] < chain.points.size(); i = chain.next[i]) {
-      const Half h = surface.mesh.halfedge(surface.vertex_of[chain.points[i]],
-                                           surface.vertex_of[chain.points[chain.next[i]]]);
+      const Vertex a = surface.vertex_of[chain.points[i]], b = surface.vertex_of[chain.points[chain.next[i]]];
+      if (a == b) // in one place
+        continue;
+      const bool are_there = a != Mesh::null_vertex() && b != Mesh::null_vertex();
+      const Half h = are_there ? surface.mesh.halfedge(a, b) : Mesh::null_halfedge();
       if (h == Mesh::null_halfedge())
         throw std::logic_error("a segment of a kept line is lost");
       surface.is_kept[surface.mesh.edge(h)] = true;
     }
 }
 
-void collapse_others(Working_surface& surface, std::size_t number_of_faces, const Collapse_request& request) {
+void collapse_others(Working_surface& surface, const std::vector<Chain>& chains, std::size_t number_of_faces,
+                     const Collapse_request& request) {
   using Placement = Simplification_of_surfaces::LindstromTurk_placement<Mesh>;
   Simplification_of_surfaces::edge_collapse(
       surface.mesh, At_most{number_of_faces},
@@ -290,7 +308,7 @@ void collapse_others(Working_surface& surface, std::size_t number_of_faces, cons
           .get_placement(Simplification_of_surfaces::Constrained_placement<Placement, Is_kept>(surface.is_kept))
           .filter(Keeps_facing_outwards{surface.normal_of})
           .visitor(Visitor(surface, request)));
-  surface.number_anew();
+  surface.number_anew(chains);
 }
 
 /// the surface without what was removed, and its lines.
@@ -306,7 +324,8 @@ Collapsed numbered(const Working_surface& surface, const std::vector<Chain>& cha
   }
   for (const auto f : mesh.faces()) {
     const Half h = mesh.halfedge(f);
-    result.triangles.corners.push_back({number[mesh.source(h)], number[mesh.target(h)], number[mesh.target(mesh.next(h))]});
+    result.triangles.corners.push_back(
+        {number[mesh.source(h)], number[mesh.target(h)], number[mesh.target(mesh.next(h))]});
   }
   for (const Chain& chain : chains) {
     auto& line = result.lines.emplace_back();
@@ -329,7 +348,7 @@ Collapsed collapse_edges(const Triangles& triangles, const Collapse_request& req
        target = std::max(target / 2, request.number_of_faces)) {
     Line_thinner(surface, chains, request.line_tolerance).run();
     mark(surface, chains);
-    collapse_others(surface, target, request);
+    collapse_others(surface, chains, target, request);
     const std::size_t left = surface.mesh.number_of_faces();
     if (left <= request.number_of_faces || (target == request.number_of_faces && left == faces))
       return numbered(surface, chains);

@@ -44,7 +44,8 @@ using Solver = CGAL::Eigen_solver_traits<
 using Mean_value = Parameterization::Mean_value_coordinates_parameterizer_3<Mesh, Given_border, Solver>;
 using Uniform = Parameterization::Barycentric_mapping_parameterizer_3<Mesh, Given_border, Solver>;
 
-template <class Method> bool solve(Mesh& mesh, const Given_border& border, Mesh::Property_map<Vertex, Surface_kernel::Point_2> place_of) {
+template <class Method>
+bool solve(Mesh& mesh, const Given_border& border, Mesh::Property_map<Vertex, Surface_kernel::Point_2> place_of) {
   const auto is_placed = mesh.add_property_map<Vertex, bool>("v:is_placed", false).first;
   Mesh::Halfedge_index start;
   for (const auto h : mesh.halfedges())

@@ -28,7 +28,8 @@ inline Surface_of_triangles surface_mesh_of(const Triangles& triangles) {
   for (std::size_t i = 0; i < triangles.corners.size(); ++i) {
     const auto& [a, b, c] = triangles.corners[i];
     if (mesh.add_face(Vertex(a), Vertex(b), Vertex(c)) == Surface_of_triangles::null_face())
-      throw std::invalid_argument("triangle " + std::to_string(i) + " of the surface cannot be added: it is no manifold");
+      throw std::invalid_argument("triangle " + std::to_string(i) +
+                                  " of the surface cannot be added: it is no manifold");
   }
   return mesh;
 }

@@ -57,16 +57,17 @@ Outputs::Kind Outputs::kind_of(const std::string& file, Content content) {
                                                                   {".mrk.json", Kind::markups},
                                                                   {".json", Kind::json}};
   static constexpr std::pair<std::string_view, Kind> endings_of_surfaces[] = {
-      {".ply", Kind::patches_ply}, {".off", Kind::patches_off}, {".vtp", Kind::vtp},  {".glb", Kind::gltf},
+      {".ply", Kind::patches_ply}, {".off", Kind::patches_off}, {".vtp", Kind::vtp},    {".glb", Kind::gltf},
       {".gltf", Kind::gltf},       {".html", Kind::page},       {".png", Kind::picture}};
   const std::string name = lower_case(std::filesystem::path(file).filename().string());
   if (content == Content::surface) {
     for (const auto& [ending, kind] : endings_of_surfaces)
       if (name.ends_with(ending))
         return kind;
-    throw Usage_error(fmt::format("the extension of '{}' is not known; give -o a .ply, .off, .vtp, .glb, .gltf, .html or "
-                                  ".png",
-                                  file));
+    throw Usage_error(
+        fmt::format("the extension of '{}' is not known; give -o a .ply, .off, .vtp, .glb, .gltf, .html or "
+                    ".png",
+                    file));
   }
   for (const auto& [ending, kind] : endings)
     if (name.ends_with(ending))

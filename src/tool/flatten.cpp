@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <map>
+#include <vector>
 
 namespace CGAL::Extremal_mesh_3::tool {
 
@@ -19,32 +21,37 @@ using Json = nlohmann::ordered_json;
 
 struct Counts {
   std::size_t flat = 0;
-  std::map<std::size_t, std::size_t> by_corners;         ///< of flat cells
+  std::map<std::size_t, std::size_t> by_corners;           ///< of flat cells
   std::map<std::string, std::size_t, std::less<>> refused; ///< by the outcome
-  double area_distortion = 1;                              ///< the mean of the flat cells
+  double area_distortion = 1;                              ///< the median of the flat cells
 };
 
 Counts count(const Flattening& flattening) {
   Counts counts;
-  double sum = 0;
+  std::vector<double> distortions;
   for (const Flat_cell& cell : flattening.cells)
     if (cell.outcome == Flattening_outcome::flat) {
       ++counts.flat;
       ++counts.by_corners[cell.corners.size()];
-      sum += cell.area_distortion;
+      distortions.push_back(cell.area_distortion);
     } else {
       ++counts.refused[std::string(to_string(cell.outcome))];
     }
+  std::sort(distortions.begin(), distortions.end());
   if (counts.flat > 0)
-    counts.area_distortion = sum / double(counts.flat);
+    counts.area_distortion = distortions[counts.flat / 2];
   return counts;
 }
 
 Json to_json(const Flattening& flattening, const Counts& counts) {
-  Json json = {{"cells", flattening.cells.size()},     {"flat", counts.flat},
-               {"by_corners", Json::object()},         {"refused", counts.refused},
-               {"triangles", flattening.places.size()}, {"flipped", flattening.flipped},
-               {"area_distortion", counts.area_distortion}, {"list", Json::array()}};
+  Json json = {{"cells", flattening.cells.size()},
+               {"flat", counts.flat},
+               {"by_corners", Json::object()},
+               {"refused", counts.refused},
+               {"triangles", flattening.places.size()},
+               {"flipped", flattening.flipped},
+               {"area_distortion", counts.area_distortion},
+               {"list", Json::array()}};
   for (const auto& [corners, number] : counts.by_corners)
     json["by_corners"][std::to_string(corners)] = number;
   for (std::size_t c = 0; c < flattening.cells.size(); ++c) {
@@ -61,12 +68,12 @@ Json to_json(const Flattening& flattening, const Counts& counts) {
 void print(const Flattening& flattening, const Counts& counts) {
   std::string text;
   for (const auto& [corners, number] : counts.by_corners)
-    text += fmt::format("{}{} with {} corners", text.empty() ? "" : ", ", number, corners);
+    text += fmt::format("{}{} with {} corner{}", text.empty() ? "" : ", ", number, corners, corners == 1 ? "" : "s");
   fmt::print("{:<10} {:<7}  of {} cells: {}\n", "flat", counts.flat, flattening.cells.size(), text);
   for (const auto& [outcome, number] : counts.refused)
     fmt::print("{:<10} {:<7}  {}\n", "refused", number, outcome);
   fmt::print("{:<10} {:<7}  of {} triangles\n", "flipped", flattening.flipped, flattening.places.size());
-  fmt::print("{:<10} {:<7.4g}  of areas, in the mean of the flat cells\n", "distortion", counts.area_distortion);
+  fmt::print("{:<10} {:<7.4g}  of areas, in the median of the flat cells\n", "distortion", counts.area_distortion);
 }
 
 } // namespace

@@ -19,7 +19,8 @@ using Json = nlohmann::ordered_json;
 
 void validate(const Reduce_options& options) {
   if (options.number_of_faces && *options.number_of_faces < 0)
-    throw Usage_error(fmt::format("the number of triangles is {}; give --faces a number of at least 0", *options.number_of_faces));
+    throw Usage_error(
+        fmt::format("the number of triangles is {}; give --faces a number of at least 0", *options.number_of_faces));
   if (options.keep_crest && !(*options.keep_crest >= 0))
     throw Usage_error(fmt::format("the strength is {}; give --keep-crest a number of at least 0", *options.keep_crest));
   if (options.line_tolerance && !(std::isfinite(*options.line_tolerance) && *options.line_tolerance >= 0))
@@ -52,7 +53,6 @@ Json to_json(const Reduction& result, std::size_t faces) {
           {"line_segments", result.segments},
           {"line_deviation", result.line_deviation},
           {"surface_deviation", result.surface_deviation},
-          {"surface_deviation_error", result.surface_deviation_error},
           {"euler_characteristic_before", result.euler_characteristic_before},
           {"euler_characteristic", result.euler_characteristic}};
 }
@@ -64,8 +64,8 @@ void print(const Reduction& result, std::size_t faces, const std::optional<std::
                *wanted);
   fmt::print("{:<10} {} edges of length {:.4g}, as {} segments of {}\n", "kept", result.kept_edges, result.kept_length,
              result.segments, result.segments_before);
-  fmt::print("{:<10} {:.3g}  of the lines at most, {:.3g} ± {:.1g} of the surface\n", "deviation", result.line_deviation,
-             result.surface_deviation, result.surface_deviation_error);
+  fmt::print("{:<10} {:.3g}  of the lines at most, {:.3g} of the surface\n", "deviation", result.line_deviation,
+             result.surface_deviation);
   fmt::print("{:<10} {}  as before\n", "Euler", result.euler_characteristic);
 }
 

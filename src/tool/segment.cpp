@@ -68,8 +68,8 @@ void print(const Segmentation& result) {
   fmt::print("{:<10} {}  with a line through them, {:.2g} % of the area\n", "cut", result.cut_faces,
              result.area > 0 ? 100 * result.cut_area / result.area : 0);
   if (result.away_faces > 0)
-    fmt::print("{:<10} {}  farther from the cells than the tolerance, in the nearest one, {:.2g} % of the area\n", "away",
-               result.away_faces, 100 * result.away_area / result.area);
+    fmt::print("{:<10} {}  farther from the cells than the tolerance, in the nearest one, {:.2g} % of the area\n",
+               "away", result.away_faces, 100 * result.away_area / result.area);
   fmt::print("{:<10} {:.6g}\n", "area", result.area);
   fmt::print("{:<10} {:.4g}  at most, from the cells\n", "distance", result.largest_distance);
 }
@@ -78,7 +78,8 @@ void print(const Segmentation& result) {
 
 Given_surface read_surface_of(const Surface_command_options& options) {
   if (options.patches.empty())
-    throw Usage_error("the surface must come from somewhere; give --surface the cells.ply that 'extract --cells' wrote");
+    throw Usage_error(
+        "the surface must come from somewhere; give --surface the cells.ply that 'extract --cells' wrote");
   Given_surface given;
   given.mesh = read_graphml(options.file);
   given.patches = read_patches_of(options.patches, given.mesh, options.file);

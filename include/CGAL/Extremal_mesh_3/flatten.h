@@ -37,8 +37,9 @@ struct Flat_cell {
 /// The cells of an extremal mesh, each in the plane.
 struct Flattening {
   Cell_patches faces; ///< triangles, by the order of their cells; also those of cells that are not flat
-  std::vector<std::array<std::array<double, 2>, 3>> places; ///< u and v from 0 to 1 of the corners of each; 0 where a cell is not flat
-  std::vector<Flat_cell> cells;                              ///< all of the mesh
+  std::vector<std::array<std::array<double, 2>, 3>>
+      places;                   ///< u and v from 0 to 1 of the corners of each; 0 where a cell is not flat
+  std::vector<Flat_cell> cells; ///< all of the mesh
   std::size_t flipped = 0; ///< triangles of flat cells that are not counter-clockwise in the plane: 0, decided exactly
 };
 
@@ -53,7 +54,8 @@ struct Flattening {
 /// \param threads  0: as many as the machine has cores. The result does not depend on it
 /// \throws std::invalid_argument if the cells are not those of the mesh; Cancelled
 /// O(n^1.5) for n points of a cell. [Thirion 1993, 6.2]
-Flattening flatten(const Extremal_mesh& mesh, const Cell_patches& cells, int threads = 0, const Progress& progress = {});
+Flattening flatten(const Extremal_mesh& mesh, const Cell_patches& cells, int threads = 0,
+                   const Progress& progress = {});
 
 /// writes the triangles as OBJ, a group `cell_…` for each cell, with their places as texture coordinates of their corners. Cells that are not flat have
 /// none.

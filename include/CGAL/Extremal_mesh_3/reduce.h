@@ -19,7 +19,7 @@ struct Reduction_options {
   /// crest lines, as `strongest_crest_lines()` gathers them, of at least this strength are kept; infinity: none
   double keep_crest = 0;
   /// how far a kept line may be from what is left of it, in the input's unit of length; by default a thousandth of the diagonal of the
-  /// surface's bounding box; 0: kept as it is
+  /// surface's bounding box; 0: only points are taken out where it is straight
   std::optional<double> line_tolerance;
   int threads = 0; ///< 0: as many as the machine has cores. The result does not depend on it.
   Progress progress;
@@ -27,18 +27,19 @@ struct Reduction_options {
 
 /// A surface of fewer triangles.
 struct Reduction {
-  Cell_patches faces; ///< triangles, each in the cell that has most of it; their normals are means of those of the triangles around
+  Cell_patches
+      faces; ///< triangles, each in the cell that has most of it; their normals are means of those of the triangles around
   /// what is left of the kept lines: points of `faces` that edges of it join. They end where lines meet; the last point of a closed one is its
   /// first
   std::vector<std::vector<std::uint32_t>> lines;
-  std::size_t faces_before = 0;      ///< triangles of the given surface, cut along all its lines
-  std::size_t kept_edges = 0;        ///< of the extremal mesh
-  double kept_length = 0;            ///< of these, in the input's unit of length
-  std::size_t segments_before = 0;   ///< edges of the surface along them
-  std::size_t segments = 0;          ///< what is left of those
-  double line_deviation = 0;         ///< the largest of a kept line from what is left of it, and the other way round
-  double surface_deviation = 0;      ///< the symmetric Hausdorff distance of both surfaces,
-  double surface_deviation_error = 0; ///< up to this error
+  std::size_t faces_before = 0;    ///< triangles of the given surface, cut along all its lines
+  std::size_t kept_edges = 0;      ///< of the extremal mesh
+  double kept_length = 0;          ///< of these, in the input's unit of length
+  std::size_t segments_before = 0; ///< edges of the surface along them
+  std::size_t segments = 0;        ///< what is left of those
+  double line_deviation = 0;       ///< the largest of a kept line from what is left of it, and the other way round
+  /// the largest distance of a vertex, or of the middle of a triangle, of one of both surfaces from the other one
+  double surface_deviation = 0;
   std::int64_t euler_characteristic_before = 0, euler_characteristic = 0;
 };
 

@@ -28,14 +28,15 @@ struct Cell_share {
 
 /// A surface with a cell for each of its faces.
 struct Segmentation {
-  Cell_patches faces;              ///< those of the surface, in its order; their normals are means of those of the faces around
-  std::vector<Cell_share> cells;   ///< one for each cell of the extremal mesh
-  std::size_t cut_faces = 0;       ///< faces of which samples lie in more than one cell: lines run through them
-  double cut_area = 0;             ///< of these
-  double area = 0;                 ///< of the surface
-  std::size_t away_faces = 0;      ///< farther from the cells than the tolerance, as where a degenerate area was cut out of the surface
-  double away_area = 0;            ///< of these
-  double largest_distance = 0;     ///< of a sample of the faces from the surface of the cells
+  Cell_patches faces; ///< those of the surface, in its order; their normals are means of those of the faces around
+  std::vector<Cell_share> cells; ///< one for each cell of the extremal mesh
+  std::size_t cut_faces = 0;     ///< faces of which samples lie in more than one cell: lines run through them
+  double cut_area = 0;           ///< of these
+  double area = 0;               ///< of the surface
+  std::size_t away_faces =
+      0; ///< farther from the cells than the tolerance, as where a degenerate area was cut out of the surface
+  double away_area = 0;        ///< of these
+  double largest_distance = 0; ///< of a sample of the faces from the surface of the cells
 };
 
 /// tells for each face of a surface in which cell of an extremal mesh it is. The surface may be another one than that
