@@ -7,6 +7,9 @@
 # Feeds the readers and the extraction with hostile bytes (libFuzzer of clang 14, address and undefined-behaviour sanitizers).
 # What it learns stays in build/fuzz/corpus, what it finds in build/fuzz/findings: replayed by
 # FUZZ_TARGET=NAME build/fuzz/test/fuzz/fuzzer FILE. The exit code is 1 if there was a finding.
+#
+# Variables: FUZZ_NO_BUILD=1 takes the fuzzer that is there, FUZZ_TIMEOUT is how many seconds an input may take (30; more on a busy
+# machine), FUZZ_VALUE_PROFILE=0 learns less from comparisons and runs more inputs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 if [[ ! ${1:-} =~ ^[0-9]+$ ]]; then
@@ -37,9 +40,9 @@ for target in "${targets[@]}"; do
   end=$((SECONDS + share)) executions=0
   while ((SECONDS < end)); do # after a finding it goes on
     code=0
-    FUZZ_TARGET=$target ASAN_OPTIONS=allocator_may_return_null=0 "$fuzzer" \
-      -max_total_time=$((end - SECONDS)) -timeout=30 -rss_limit_mb=3000 -malloc_limit_mb=1000 -max_len=65536 -use_value_profile=1 \
-      -print_final_stats=1 -artifact_prefix="build/fuzz/findings/$target-" "$learned" "test/fuzz/corpus/$target" >"$log" 2>&1 || code=$?
+    FUZZ_TARGET=$target ASAN_OPTIONS=allocator_may_return_null=0 LSAN_OPTIONS=suppressions=test/leak_suppressions.txt:print_suppressions=0 \
+      "$fuzzer" -max_total_time=$((end - SECONDS)) -timeout="${FUZZ_TIMEOUT:-30}" -rss_limit_mb=3000 -malloc_limit_mb=1000 -max_len=65536 \
+      -use_value_profile="${FUZZ_VALUE_PROFILE:-1}" -print_final_stats=1 -artifact_prefix="build/fuzz/findings/$target-" "$learned" "test/fuzz/corpus/$target" >"$log" 2>&1 || code=$?
     n=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
     executions=$((executions + ${n:-0}))
     [[ $code -eq 0 ]] && break
