@@ -86,8 +86,16 @@ def processor_time():
 
 
 bad = pathlib.Path("mutated")
-with tempfile.TemporaryDirectory() as folder:
-    folder = pathlib.Path(folder)
+done = 0
+
+
+def stop(*_):
+    raise KeyboardInterrupt
+
+
+def damage_and_run(folder):
+    """copy after copy, each on its own."""
+    global longest, done
     for i in range(options.first, options.number):
         pick.seed(f"{options.seed} {i}")
         file = files[i % len(files)]
@@ -134,5 +142,14 @@ with tempfile.TemporaryDirectory() as folder:
             shutil.copy(copy, bad)
             print(f"{copy.name}: {problem}", flush=True)
         copy.unlink()
-print(", ".join(f"{n} {what}" for what, n in outcomes.items()), f"of {options.number - options.first} copies, the longest {longest:.0f} s")
+        done += 1
+
+
+signal.signal(signal.SIGTERM, stop)
+with tempfile.TemporaryDirectory() as folder:
+    try:
+        damage_and_run(pathlib.Path(folder))
+    except KeyboardInterrupt:
+        print("stopped")
+print(", ".join(f"{n} {what}" for what, n in outcomes.items()), f"of {done} copies, the longest {longest:.0f} s")
 sys.exit(1 if outcomes["problems"] else 0)
