@@ -108,7 +108,7 @@ Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, co
                                  Surface_report* report = nullptr);
 
 /// extracts the extremal mesh of the surface `f = 0` from cells that lie on it.
-/// \throws Degenerate_surface_error if `E_g = 0` (up to rounding) over most of the surface; Extraction_error if it is not 1e-35 to 1e35 long
+/// \throws std::invalid_argument if a point is not finite; Degenerate_surface_error if `E_g = 0` (up to rounding) over most of the surface; Extraction_error if it is not 1e-35 to 1e35 long
 Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells,
                                  const Extraction_options& options = {});
 
@@ -117,8 +117,8 @@ Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells,
 /// along every edge. Areas in which `E_g = 0` (up to
 /// the shapes' errors) or no jet could be fitted are cut out: lines end at their border, in `boundary` vertices.
 /// \param shapes  one per point of `cells`, by `fit_vertex_shapes()` or from the caller's own knowledge
-/// \throws std::invalid_argument if there are not as many shapes as points, one that is not finite, or most normals are on the wrong
-///         side of the cells
+/// \throws std::invalid_argument if there are not as many shapes as points, a point or a shape is not finite, or most normals are on the
+///         wrong side of the cells
 ///         Extraction_error if hardly any vertex could be fitted
 ///         Degenerate_surface_error if `E_g = 0` (up to the shapes' errors) over most of the surface
 Extraction extract_extremal_mesh(const Cell_complex& cells, const Vertex_shapes& shapes,
