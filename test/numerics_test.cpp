@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <utility>
@@ -255,6 +256,20 @@ TEST_F(Numerics_of_meshes, of_a_size_beyond_the_accuracy_of_numbers_are_refused)
       p = {unit * p[0], unit * p[1], unit * p[2]};
     EXPECT_THROW(counts_of_mesh(scaled, unit), Extraction_error);
   }
+}
+
+TEST_F(Numerics_of_meshes, with_a_point_that_is_not_finite_are_refused) {
+  const Cell_complex good = read_mesh(std::string(EXTREMAL_MESH_3_DATA_DIR) + "/ellipsoid_exact_poly.off").cells;
+  const Vertex_shapes shapes = fit_vertex_shapes(good).shapes;
+  const Formula f("x^2/9 + y^2/4 + z^2 - 1");
+  for (const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (const std::size_t v : {std::size_t(0), std::size_t(5), good.points.size() - 1}) {
+      Cell_complex bad = good;
+      bad.points[v][1] = x;
+      EXPECT_THROW(extract_extremal_mesh(bad, shapes), std::invalid_argument);
+      EXPECT_THROW(extract_extremal_mesh(f, bad), std::invalid_argument);
+      EXPECT_THROW(fit_vertex_shapes(bad), std::invalid_argument);
+    }
 }
 
 } // namespace

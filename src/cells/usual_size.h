@@ -9,17 +9,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 namespace CGAL::Extremal_mesh_3 {
 
 /// tests that powers of the surface's size are numbers still.
-/// \throws Extraction_error if it is not from 1/most to most
+/// \throws std::invalid_argument if a point is not finite; Extraction_error if the size is not from 1/most to most
 inline void require_usual_size(const Cell_complex& cells, double most) {
   if (cells.points.empty())
     return;
   Point low = cells.points.front(), high = low;
-  for (const Point& p : cells.points)
+  for (std::size_t v = 0; v < cells.points.size(); ++v)
     for (std::size_t a = 0; a < 3; ++a) {
+      const Point& p = cells.points[v];
+      if (!std::isfinite(p[a])) // which is neither less nor greater, and would not be seen
+        throw std::invalid_argument(fmt::format("point {} is ({}, {}, {}), which is not finite", v, p[0], p[1], p[2]));
       low[a] = std::min(low[a], p[a]);
       high[a] = std::max(high[a], p[a]);
     }

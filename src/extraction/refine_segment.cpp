@@ -321,12 +321,12 @@ std::optional<Station> Segment_refiner::search_dip(const Station& low, const Sta
 /// adds the place between two at which a quantity vanishes.
 bool Segment_refiner::find_zero(Station low, Station high, Type_change_kind kind) {
   const auto value = [&](const Station& s) { return quantity(s.at, kind, segment_.family); };
-  double at_low = value(low), at_high = value(high), t = low.t, last = 2;
+  double at_low = value(low), at_high = value(high), last = 2;
   const double zero = 1e-14 * std::max(std::abs(at_low), std::abs(at_high));
   std::optional<Station> s;
   double t_low = low.t, t_high = high.t;
   for (int i = 0; i < 60 && t_high - t_low > 1e-13; ++i) {
-    t = t_low - at_low * (t_high - t_low) / (at_high - at_low);
+    double t = t_low - at_low * (t_high - t_low) / (at_high - at_low);
     if (!(t > t_low && t < t_high) || i % 8 == 7)
       t = t_low + (t_high - t_low) / 2;
     if (t < nearest || t > 1 - nearest) // too near to an end to be told from it

@@ -116,7 +116,7 @@ Cell_complex make_implicit_cells(const Function_3& f, const Lattice& lattice, co
 /// \param cells  polygons whose points lie on the surface, counter-clockwise seen from where `f` is positive
 /// \param options  threads, subdivision, progress
 /// \return the mesh, and a report of what is certain
-/// \throws Degenerate_surface_error if `E_g = 0` (up to rounding) over most of the surface; Extraction_error if it is not 1e-35 to 1e35 long
+/// \throws std::invalid_argument if a point is not finite; Degenerate_surface_error if `E_g = 0` (up to rounding) over most of the surface; Extraction_error if it is not 1e-35 to 1e35 long
 Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells,
                                  const Extraction_options& options = {});
 
@@ -125,8 +125,8 @@ Extraction extract_extremal_mesh(const Function_3& f, const Cell_complex& cells,
 /// along every edge. Areas in which `E_g = 0` (up to
 /// the shapes' errors) or no jet could be fitted are cut out: lines end at their border, in `boundary` vertices.
 /// \param shapes  one per point of `cells`, by `fit_vertex_shapes()` or from the caller's own knowledge
-/// \throws std::invalid_argument if there are not as many shapes as points, one that is not finite, or most normals are on the wrong
-///         side of the cells
+/// \throws std::invalid_argument if there are not as many shapes as points, a point or a shape is not finite, or most normals are on the
+///         wrong side of the cells
 ///         Extraction_error if hardly any vertex could be fitted
 ///         Degenerate_surface_error if `E_g = 0` (up to the shapes' errors) over most of the surface
 /// \param cells  an oriented manifold of polygons
