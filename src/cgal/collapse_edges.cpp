@@ -127,7 +127,7 @@ struct Working_surface {
     for (const Vertex v : mesh.vertices())
       if (given_of[v] != none)
         vertex_of[given_of[v]] = v;
-    // Edges without length CGAL collapses beforehand, and tells nobody: such points are found again by their places, which they keep.
+    // CGAL collapses edges without length beforehand, also between two points of lines: such points are found again by their places, which they keep.
     std::map<Point, Vertex> at;
     for (const Edge e : mesh.edges())
       if (is_kept[e])
@@ -257,9 +257,6 @@ struct Visitor : Simplification_of_surfaces::Edge_collapse_visitor_base<Mesh> {
         request(asked) {}
 
   template <class P> void OnCollapsing(const P& profile, const boost::optional<typename P::Point>&) {
-    const Vector sum = normal_of[profile.v0()] + normal_of[profile.v1()];
-    normal = norm(sum) > 0 ? normalized(sum) : normal_of[profile.v0()];
-    given = std::min(given_of[profile.v0()], given_of[profile.v1()]); // not both are on lines
     constexpr std::size_t often = 1024;
     if (request.progress && ++collapses % often == 0) {
       const auto faces = double(profile.surface_mesh().number_of_faces());
@@ -267,9 +264,11 @@ struct Visitor : Simplification_of_surfaces::Edge_collapse_visitor_base<Mesh> {
         throw Cancelled();
     }
   }
-  template <class P> void OnCollapsed(const P&, const Vertex& kept) {
-    normal_of[kept] = normal;
-    given_of[kept] = given;
+  /// all is told here, as edges without length are collapsed without the call above; what is known of the removed vertex is still there.
+  template <class P> void OnCollapsed(const P& profile, const Vertex& kept) {
+    const Vector sum = normal_of[profile.v0()] + normal_of[profile.v1()];
+    normal_of[kept] = norm(sum) > 0 ? normalized(sum) : normal_of[profile.v0()];
+    given_of[kept] = std::min(given_of[profile.v0()], given_of[profile.v1()]); // not both are on lines
   }
 
   Normal_of normal_of;
@@ -277,8 +276,6 @@ struct Visitor : Simplification_of_surfaces::Edge_collapse_visitor_base<Mesh> {
   double faces_before;
   const Collapse_request& request;
   std::size_t collapses = 0;
-  Vector normal{};
-  std::uint32_t given = none;
 };
 
 /// tells which edges are segments of lines.
