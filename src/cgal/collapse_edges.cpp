@@ -127,7 +127,7 @@ struct Working_surface {
     for (const Vertex v : mesh.vertices())
       if (given_of[v] != none)
         vertex_of[given_of[v]] = v;
-    // Edges without length CGAL collapses beforehand, and tells nobody: such points are found again by their places, which they keep.
+    // CGAL collapses edges without length beforehand, also between two points of lines: such points are found again by their places, which they keep.
     std::map<Point, Vertex> at;
     for (const Edge e : mesh.edges())
       if (is_kept[e])
@@ -157,6 +157,9 @@ public:
       : surface_(surface), mesh_(surface.mesh), chains_(chains), tolerance_(tolerance) {}
 
   void run() {
+    for (const Chain& chain : chains_)
+      for (std::size_t i = 0; chain.next[i] < chain.points.size(); i = chain.next[i])
+        segments_.insert(segment(chain.points[i], chain.points[chain.next[i]]));
     for (std::size_t c = 0; c < chains_.size(); ++c)
       for (std::size_t i = chains_[c].next[0]; i + 1 < chains_[c].points.size(); i = chains_[c].next[i])
         consider(c, i);
@@ -165,8 +168,15 @@ public:
       queue_.erase(queue_.begin());
       Chain& chain = chains_[c];
       const std::size_t before = chain.previous[i], after = chain.next[i];
+      // Lines do not fall together, nor closed ones into a point.
+      const auto joined = segment(chain.points[before], chain.points[after]);
+      if (segments_.contains(joined))
+        continue;
       if (!collapse(chain.points[i], chain.points[before]) && !collapse(chain.points[i], chain.points[after]))
         continue; // until there is a change beside it
+      segments_.erase(segment(chain.points[before], chain.points[i]));
+      segments_.erase(segment(chain.points[i], chain.points[after]));
+      segments_.insert(joined);
       chain.next[before] = after;
       chain.previous[after] = before;
       for (const std::size_t beside : {before, after})
@@ -176,6 +186,10 @@ public:
   }
 
 private:
+  static std::array<std::uint32_t, 2> segment(std::uint32_t a, std::uint32_t b) {
+    return {std::min(a, b), std::max(a, b)};
+  }
+
   void consider(std::size_t c, std::size_t i) {
     const Chain& chain = chains_[c];
     const double cost = deviation(surface_.given, chain, chain.previous[i], chain.next[i]);
@@ -215,6 +229,7 @@ private:
   double tolerance_;
   std::map<std::pair<std::size_t, std::size_t>, double> cost_; ///< of a chain's point, if it was looked at
   std::set<std::tuple<double, std::size_t, std::size_t>> queue_;
+  std::set<std::array<std::uint32_t, 2>> segments_; ///< of all chains
 };
 
 /// Model of CGAL's concept StopPredicate.
@@ -257,9 +272,6 @@ struct Visitor : Simplification_of_surfaces::Edge_collapse_visitor_base<Mesh> {
         request(asked) {}
 
   template <class P> void OnCollapsing(const P& profile, const boost::optional<typename P::Point>&) {
-    const Vector sum = normal_of[profile.v0()] + normal_of[profile.v1()];
-    normal = norm(sum) > 0 ? normalized(sum) : normal_of[profile.v0()];
-    given = std::min(given_of[profile.v0()], given_of[profile.v1()]); // not both are on lines
     constexpr std::size_t often = 1024;
     if (request.progress && ++collapses % often == 0) {
       const auto faces = double(profile.surface_mesh().number_of_faces());
@@ -267,9 +279,11 @@ struct Visitor : Simplification_of_surfaces::Edge_collapse_visitor_base<Mesh> {
         throw Cancelled();
     }
   }
-  template <class P> void OnCollapsed(const P&, const Vertex& kept) {
-    normal_of[kept] = normal;
-    given_of[kept] = given;
+  /// all is told here, as edges without length are collapsed without the call above; what is known of the removed vertex is still there.
+  template <class P> void OnCollapsed(const P& profile, const Vertex& kept) {
+    const Vector sum = normal_of[profile.v0()] + normal_of[profile.v1()];
+    normal_of[kept] = norm(sum) > 0 ? normalized(sum) : normal_of[profile.v0()];
+    given_of[kept] = std::min(given_of[profile.v0()], given_of[profile.v1()]); // not both are on lines
   }
 
   Normal_of normal_of;
@@ -277,8 +291,6 @@ struct Visitor : Simplification_of_surfaces::Edge_collapse_visitor_base<Mesh> {
   double faces_before;
   const Collapse_request& request;
   std::size_t collapses = 0;
-  Vector normal{};
-  std::uint32_t given = none;
 };
 
 /// tells which edges are segments of lines.
@@ -330,7 +342,7 @@ Collapsed numbered(const Working_surface& surface, const std::vector<Chain>& cha
   for (const Chain& chain : chains) {
     auto& line = result.lines.emplace_back();
     for (std::size_t i = 0; i < chain.points.size(); i = chain.next[i])
-      line.push_back(number[surface.vertex_of[chain.points[i]]]);
+      line.push_back(number.at(surface.vertex_of[chain.points[i]]));
     for (std::size_t i = 0; chain.next[i] < chain.points.size(); i = chain.next[i])
       result.line_deviation = std::max(result.line_deviation, deviation(surface.given, chain, i, chain.next[i]));
   }

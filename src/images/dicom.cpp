@@ -18,6 +18,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -51,7 +52,83 @@ bool has_mark(const fs::path& file) {
   return in.read(bytes, sizeof bytes) && std::memcmp(bytes + preamble, "DICM", 4) == 0;
 }
 
+/// Where the elements of a file end, as far as their lengths are told: GDCM ends the program where a file ends within one.
+class Elements {
+public:
+  explicit Elements(const fs::path& file) : in_(file, std::ios::binary), size_(fs::file_size(file)) {
+    constexpr std::uint64_t preamble = 132;
+    at_ = preamble;
+  }
+
+  /// walks over all elements, or up to the first whose length is not told, such as compressed voxels.
+  bool are_whole() {
+    std::string syntax = "1.2.840.10008.1.2.1"; // of the first group
+    while (at_ < size_) {
+      std::uint16_t group = 0;
+      if (!read(group, false))
+        return false;
+      const bool is_meta = group == 2;
+      const bool big = !is_meta && syntax == "1.2.840.10008.1.2.2",
+                 implicit = !is_meta && syntax == "1.2.840.10008.1.2";
+      if (!is_meta && syntax == "1.2.840.10008.1.2.1.99") // deflated
+        return true;
+      in_.seekg(std::streamoff(at_));
+      std::uint16_t element = 0;
+      if (!read(group, big) || !read(element, big))
+        return false;
+      std::uint32_t length = 0;
+      std::uint64_t header = 8;
+      if (implicit) {
+        if (!read(length, big))
+          return false;
+      } else {
+        char type[2] = {};
+        std::uint16_t short_length = 0;
+        if (!in_.read(type, sizeof type) || !read(short_length, big))
+          return false;
+        length = short_length;
+        static const std::set<std::string> long_types{"OB", "OD", "OF", "OL", "OV", "OW", "SQ",
+                                                      "SV", "UC", "UN", "UR", "UT", "UV"};
+        if (long_types.contains(std::string(type, sizeof type))) {
+          header = 12;
+          if (!read(length, big))
+            return false;
+        }
+      }
+      if (length == std::numeric_limits<std::uint32_t>::max())
+        return true;
+      if (length > size_ - std::min(size_, at_ + header))
+        return false;
+      if (is_meta && element == 0x10) {
+        syntax.assign(length, '\0');
+        in_.read(syntax.data(), std::streamsize(length));
+        syntax.resize(std::min(syntax.find('\0'), syntax.size()));
+      }
+      at_ += header + length;
+      in_.seekg(std::streamoff(at_));
+    }
+    return true;
+  }
+
+private:
+  template <class Number> bool read(Number& number, bool big) {
+    unsigned char bytes[sizeof(Number)] = {};
+    if (!in_.read(reinterpret_cast<char*>(bytes), sizeof bytes))
+      return false;
+    number = 0;
+    for (std::size_t i = 0; i < sizeof bytes; ++i)
+      number = Number(number | Number(bytes[i]) << (8 * (big ? sizeof bytes - 1 - i : i)));
+    return true;
+  }
+
+  std::ifstream in_;
+  std::uint64_t size_, at_ = 0;
+};
+
 itk::GDCMImageIO::Pointer open(const std::string& file) {
+  if (!Elements(file).are_whole())
+    throw std::runtime_error(
+        fmt::format("its slice '{}' is truncated, or damaged", fs::path(file).filename().string()));
   const auto io = itk::GDCMImageIO::New();
   io->SetFileName(file);
   try {
