@@ -4,7 +4,7 @@ find_program(EXTREMAL_MESH_3_DOC_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_package(Doxygen 1.9.4 QUIET)
 
 # in the order in which they are read; a test looks whether all of doc/*.md are here
-set(doc_pages manual shell library inputs queries simplification registration scale_space guarantees performance
+set(doc_pages manual shell library inputs queries surfaces simplification registration scale_space guarantees performance
               troubleshooting file_formats tutorial_slicer tutorial_meshlab tutorial_program gallery mathematics
               architecture history bibliography)
 list(TRANSFORM doc_pages PREPEND ${PROJECT_SOURCE_DIR}/doc/)

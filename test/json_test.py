@@ -46,6 +46,13 @@ assert told["view"] == {"files": ["e.html", "e.png"]}
 told["convert"] = printed("convert", "e.graphml", "e.vtp")
 assert told["convert"] == {"files": ["e.vtp"]}
 
+told["segment"] = printed("segment", "e.graphml", "--surface", "e.ply", "-o", "s.ply")
+assert told["segment"]["cells_with_faces"] == 8 and told["segment"]["away_faces"] == 0
+told["reduce"] = printed("reduce", "e.graphml", "--surface", "e.ply", "--faces", 300, "-o", "r.ply")
+assert told["reduce"]["faces"] <= 300 and told["reduce"]["euler_characteristic"] == 2
+told["flatten"] = printed("flatten", "e.graphml", "--surface", "e.ply", "-o", "f.obj")
+assert told["flatten"]["by_corners"] == {"4": 8} and told["flatten"]["flipped"] == 0
+
 told["landmarks"] = printed("landmarks", "e.graphml", "--umbilics", "-o", "l.csv")
 assert [landmark["kind"] for landmark in told["landmarks"]["landmarks"]] == 6 * ["extremal_point"] + 4 * ["umbilic"]
 assert printed("landmarks", "e.graphml", "--umbilics") == told["landmarks"]  # no file needs to be written

@@ -19,6 +19,7 @@ public:
   using propagate_on_container_move_assignment = std::true_type;
   using propagate_on_container_swap = std::true_type;
   using is_always_equal = std::false_type;
+  /// what the concept Allocator asks for
   template <class Number> struct rebind {
     static_assert(std::is_same_v<Number, float>, "voxels are floats");
     using other = Voxel_allocator;

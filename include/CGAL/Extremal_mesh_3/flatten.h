@@ -52,6 +52,8 @@ struct Flattening {
 /// lines are in it, as in simplified meshes, is not cut there.
 /// \param mesh,cells  the extremal mesh and its surface cut along the lines
 /// \param threads  0: as many as the machine has cores. The result does not depend on it
+/// \param progress  called with the share of the work that is done; may cancel it
+/// \return the cells in the plane, and what became of each
 /// \throws std::invalid_argument if the cells are not those of the mesh; Cancelled
 /// O(n^1.5) for n points of a cell. [Thirion 1993, 6.2]
 Flattening flatten(const Extremal_mesh& mesh, const Cell_patches& cells, int threads = 0,
@@ -59,7 +61,9 @@ Flattening flatten(const Extremal_mesh& mesh, const Cell_patches& cells, int thr
 
 /// writes the triangles as OBJ, a group `cell_…` for each cell, with their places as texture coordinates of their corners. Cells that are not flat have
 /// none.
-/// \throws Io_error
+/// \param file  its name
+/// \param flattening  what `flatten()` returned
+/// \throws Io_error if it cannot be written
 void write_flat_obj(const std::string& file, const Flattening& flattening);
 
 } // namespace CGAL::Extremal_mesh_3

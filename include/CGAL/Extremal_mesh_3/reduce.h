@@ -48,6 +48,7 @@ struct Reduction {
 /// Turk) are collapsed by CGAL's Surface_mesh_simplification. Points of kept lines, and no others, stay where they are.
 ///
 /// \param mesh,cells  the extremal mesh and its surface cut along the lines: `Extraction::patches`, `read_cell_patches()`
+/// \param options  how far, and which lines are kept
 /// \return an oriented manifold, of the same topology as the surface. Nothing rules out that parts of it run through others
 /// \throws std::invalid_argument if the cells are not those of the mesh, or do not have its kept lines, naming the edge; if a number of the
 ///         options is negative or not a number; Cancelled

@@ -46,6 +46,8 @@ struct Segmentation {
 ///
 /// \param surface  to be segmented
 /// \param mesh,cells  the extremal mesh and its surface cut along the lines: `Extraction::patches`, `read_cell_patches()`
+/// \param options  what is away from the cells
+/// \return the surface with a cell for each face
 /// \throws std::invalid_argument if the cells are not those of the mesh (`require_cells_of()`); if more of the surface is away from
 ///         them than its degenerate area and a tenth of the whole; if the tolerance is negative or not finite; Cancelled
 /// O((n + m) log m) for n faces and m polygons of the cells. [Thirion 1993, 6.2]
@@ -53,11 +55,14 @@ Segmentation segment(const Cell_complex& surface, const Extremal_mesh& mesh, con
                      const Segmentation_options& options = {});
 
 /// sums up a surface whose faces have their cells already: the surface cut along the lines itself.
+/// \param mesh,cells  the extremal mesh and that surface
+/// \return the surface, and what of it is in each cell
 /// \throws std::invalid_argument if the cells are not those of the mesh
 Segmentation segment(const Extremal_mesh& mesh, const Cell_patches& cells);
 
 /// compares the area of each cell as the mesh has it with that of the surface's polygons, which must agree to 1e-5 of the whole: so a
 /// surface of another extraction is found out before it does harm. O(size of the patches).
+/// \param mesh,cells  the extremal mesh and its surface cut along the lines
 /// \throws std::invalid_argument naming the cell and both areas if they differ; or if the arrays do not fit together
 void require_cells_of(const Extremal_mesh& mesh, const Cell_patches& cells);
 
