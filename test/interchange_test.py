@@ -20,7 +20,8 @@ try:
     from vtkmodules.vtkIOGeometry import vtkOBJReader
     from vtkmodules.vtkIOPLY import vtkPLYReader
     from vtkmodules.vtkIOImport import vtkGLTFImporter
-    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+    from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+    from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataReader
     from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
     import vtkmodules.vtkRenderingOpenGL2  # the importer needs it
 except ImportError as error:
@@ -164,4 +165,19 @@ assert (reader.GetOutput().GetNumberOfLines(), reader.GetOutput().GetNumberOfPol
 for arguments in (["g.graphml"], ["g.graphml", "x.csv"], ["g.graphml", "x.stl"]):
     refused = run("convert", *arguments)
     assert refused.returncode == 2 and refused.stderr.count("\n") == 1, refused
+
+# images that VTK writes
+source, written = vtkRTAnalyticSource(), {}
+for name in ("ascii", "binary", "appended"):
+    for compressor in ("None", "ZLib"):
+        writer = vtkXMLImageDataWriter()
+        writer.SetInputConnection(source.GetOutputPort())
+        writer.SetDataMode({"ascii": writer.Ascii, "binary": writer.Binary, "appended": writer.Appended}[name])
+        getattr(writer, "SetCompressorTypeTo" + compressor)()
+        writer.SetFileName(str(work / "image.vti"))
+        writer.Write()
+        run("extract", "image.vti", "--iso", "150", "--sigma", "1.5", "--quiet", "-o", "image.graphml", check=True)
+        written[name, compressor] = (work / "image.graphml").read_text()
+assert written.pop(("ascii", "None")).count("<node") > 10
+assert len(set(written.values())) == 1  # as text numbers are rounded
 print("all files are read")

@@ -10,6 +10,7 @@
 #include "dicom.h"
 #include "image_headers.h"
 #include "itk_reading.h"
+#include "vti.h"
 
 #include <fmt/format.h>
 #include <itkMetaImageIO.h>
@@ -58,15 +59,20 @@ constexpr Format formats[] = {
 // Fewer nodes along an axis hold no surface with third derivatives.
 constexpr std::size_t least_size = 4;
 
-const Format& format_of(const std::string& file) {
+std::string lower_case_name(const std::string& file) {
   std::string name = std::filesystem::path(file).filename().string();
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return name;
+}
+
+const Format& format_of(const std::string& file) {
+  const std::string name = lower_case_name(file);
   for (const Format& format : formats)
     if (name.ends_with(format.extension))
       return format;
   throw std::runtime_error("its name has none of the extensions that are read: .nrrd .nhdr .mha .mhd .nii .nii.gz "
-                           ".vtk; nor is it a DICOM slice");
+                           ".vtk .vti; nor is it a DICOM slice");
 }
 
 void check_file(const std::string& file) {
@@ -273,6 +279,8 @@ Image read(const std::string& file, const Image_reading_options& options) {
     return read_dicom(file, options);
   }
   check_file(file);
+  if (lower_case_name(file).ends_with(".vti"))
+    return read_vti(file, options);
   const Format& format = format_of(file);
   const Stored_voxels stored = format.find_voxels(file);
 

@@ -106,7 +106,8 @@ void formula(Bytes bytes) {
 }
 
 constexpr char off[] = ".off", obj[] = ".obj", ply[] = ".ply", stl[] = ".stl", om[] = ".om", nrrd[] = ".nrrd",
-               mha[] = ".mha", nii[] = ".nii", nii_gz[] = ".nii.gz", vtk[] = ".vtk", csv[] = ".csv", json[] = ".json";
+               mha[] = ".mha", nii[] = ".nii", nii_gz[] = ".nii.gz", vtk[] = ".vtk", vti[] = ".vti", csv[] = ".csv",
+               json[] = ".json";
 
 constexpr std::array all{Target{"off", mesh<off>},
                          Target{"obj", mesh<obj>},
@@ -118,6 +119,7 @@ constexpr std::array all{Target{"off", mesh<off>},
                          Target{"nii", image<nii>},
                          Target{"nii_gz", image<nii_gz>},
                          Target{"vtk", image<vtk>},
+                         Target{"vti", image<vti>},
                          Target{"graphml", graphml},
                          Target{"cell_patches", cell_patches},
                          Target{"landmarks_csv", landmarks<csv>},

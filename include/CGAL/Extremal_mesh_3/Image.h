@@ -31,7 +31,7 @@ struct Image_reading_options {
 };
 
 /// reads a 3D scalar image: NRRD (.nrrd, .nhdr; raw, gzip or ascii), MetaImage (.mha, .mhd; raw or compressed), NIfTI-1
-/// (.nii, .nii.gz), VTK's legacy format (.vtk; structured points), with any type of number and in either byte order.
+/// (.nii, .nii.gz), VTK's legacy format (.vtk; structured points) and its XML format (.vti; one piece, not compressed or by zlib), with any type of number and in either byte order.
 /// A folder is read as the DICOM series whose slices are in it, a DICOM slice as the series in its folder to which it belongs; the lattice is sheared if the
 /// gantry was tilted, and as many slices as are missing, unequal distances, or several series in a folder are errors.
 /// Four dimensions are read if there is only one volume; voxels in several files are not.
