@@ -32,7 +32,7 @@ options = parser.parse_args()
 program = options.program.resolve()
 
 MESHES = (".off", ".obj", ".ply", ".stl", ".om")
-IMAGES = (".nrrd", ".mha", ".nii", ".nii.gz", ".vtk")
+IMAGES = (".nrrd", ".mha", ".nii", ".nii.gz", ".vtk", ".vti")
 files = sorted(f for f in options.folder.rglob("*") if f.name.lower().endswith(MESHES + IMAGES) and f.stat().st_size < 2 << 20)
 pick = random.Random()
 
