@@ -32,6 +32,9 @@ protected:
     const Image_function f(image, image_options);
     Extraction_options options;
     options.threads = threads;
+    // what the program takes: with more levels noise takes ten times as long
+    options.max_level = 8;
+    options.max_line_level = 2;
     return extract_extremal_mesh(f, f.lattice(), options);
   }
 };
