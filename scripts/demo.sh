@@ -17,7 +17,7 @@ if [[ -n ${EXTREMAL_MESH_3_BUILD_DIR:-} ]]; then
 else
   source scripts/dependencies.sh
   install_dependencies
-  build release
+  build release extremal_mesh
   tool=build/release/src/tool/extremal_mesh
 fi
 mkdir -p "$output"

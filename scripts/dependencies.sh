@@ -49,7 +49,7 @@ install_dependencies() { # [PACKAGE…]   beyond those above
 }
 
 # configures and builds with a preset.
-build() { # PRESET
+build() { # PRESET [TARGET]
   cmake --preset "$1" >/dev/null
-  cmake --build --preset "$1" --parallel "$(nproc)"
+  cmake --build --preset "$1" --parallel "$(nproc)" ${2:+--target "$2"}
 }
