@@ -7,11 +7,12 @@
 # uses it there. An extra test, with EXTREMAL_MESH_3_EXTRA_TESTS only: it needs root, debootstrap and a network, and takes minutes. Exit code
 # 77: something of this is missing.
 #
-# DEBIAN_MIRROR is where packages come from. A root that debootstrap has made is kept in WORK_FOLDER/bookworm and used again.
+# DEBIAN_MIRROR is where packages come from; otherwise they come from where this machine's do. A root that debootstrap has made is kept in WORK_FOLDER/bookworm and used again.
 set -euo pipefail
 cpack=$1 build=$2 data=$3 work=$4
-mirror=${DEBIAN_MIRROR:-http://deb.debian.org/debian}
 skip() { echo "skipped: $1"; exit 77; }
+mirror=${DEBIAN_MIRROR:-$(apt-get indextargets --format '$(SITE)' 'Codename: bookworm' 2>/dev/null | head -1)}
+[[ -n $mirror ]] || skip "DEBIAN_MIRROR does not tell where packages of Debian 12 come from, nor does apt"
 [[ $(id -u) -eq 0 ]] || skip "only root can change the root folder"
 PATH=$PATH:/usr/sbin:/sbin
 for tool in debootstrap chroot dpkg-deb; do
