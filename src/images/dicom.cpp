@@ -6,6 +6,7 @@
 // C.7.6.2.1.1 (Image Position and Image Orientation).
 #include "dicom.h"
 
+#include "../differential/vector.h"
 #include "change_of_coordinates.h"
 #include "itk_reading.h"
 
@@ -40,10 +41,6 @@ struct Slice {
 
   std::string name() const { return fs::path(file).filename().string(); }
 };
-
-double dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 bool has_mark(const fs::path& file) {
   constexpr std::size_t preamble = 128;
@@ -198,8 +195,7 @@ void require_alike(const std::vector<Slice>& slices) {
                                            slice.size[0], slice.size[1], first.name(), first.size[0], first.size[1]));
     for (std::size_t a = 0; a < 2; ++a)
       for (std::size_t i = 0; i < 3; ++i)
-        if (!(std::abs(slice.step[a][i] - first.step[a][i]) <=
-              direction_tolerance * std::sqrt(dot(first.step[a], first.step[a]))))
+        if (!(std::abs(slice.step[a][i] - first.step[a][i]) <= direction_tolerance * norm(first.step[a])))
           throw std::runtime_error(fmt::format("its slice '{}' has another orientation or size of voxels than '{}'",
                                                slice.name(), first.name()));
   }
@@ -210,8 +206,8 @@ void require_alike(const std::vector<Slice>& slices) {
 /// \throws std::runtime_error if that is not the same everywhere
 Vector order(std::vector<Slice>& slices) {
   const auto& [u, v] = slices.front().step;
-  Vector normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-  const double length = std::sqrt(dot(normal, normal));
+  const Vector normal = cross(u, v);
+  const double length = norm(normal);
   for (Slice& slice : slices)
     slice.height = dot(normal, slice.origin) / length;
   std::stable_sort(slices.begin(), slices.end(), [](const Slice& a, const Slice& b) { return a.height < b.height; });
@@ -234,16 +230,12 @@ Vector order(std::vector<Slice>& slices) {
     throw std::runtime_error(fmt::format(
         "the distance of its slices {} is {:.6g}, of others {:.6g}; expected equal ones", where, gaps[k], usual));
   }
-  Vector step;
-  for (std::size_t i = 0; i < 3; ++i)
-    step[i] = (slices.back().origin[i] - slices.front().origin[i]) / double(slices.size() - 1);
+  const Vector step = (1 / double(slices.size() - 1)) * (slices.back().origin - slices.front().origin);
   for (std::size_t k = 0; k < slices.size(); ++k) {
-    Vector away;
-    for (std::size_t i = 0; i < 3; ++i)
-      away[i] = slices[k].origin[i] - slices.front().origin[i] - double(k) * step[i];
-    if (!(std::sqrt(dot(away, away)) <= position_tolerance * usual * 2))
-      throw std::runtime_error(fmt::format("its slice '{}' is shifted by {:.4g} against the others", slices[k].name(),
-                                           std::sqrt(dot(away, away))));
+    const double away = norm(slices[k].origin - slices.front().origin - double(k) * step);
+    if (!(away <= position_tolerance * usual * 2))
+      throw std::runtime_error(
+          fmt::format("its slice '{}' is shifted by {:.4g} against the others", slices[k].name(), away));
   }
   return step;
 }
@@ -274,7 +266,7 @@ Image read_dicom(const std::string& path, const Image_reading_options& options) 
   if (!inverse_of_columns(lattice.step))
     throw std::runtime_error("its direction matrix is singular");
   const std::size_t n = lattice.size[0] * lattice.size[1];
-  require_memory(double(n) * double(slices.size()) * sizeof(float), options.memory_limit);
+  image.voxels = room_for_voxels(double(n) * double(slices.size()), options);
   for (const Slice& slice : slices) {
     const auto io = open(slice.file);
     try {

@@ -3,12 +3,11 @@
 #ifndef CGAL_EXTREMAL_MESH_3_SRC_IMAGES_ITK_READING_H
 #define CGAL_EXTREMAL_MESH_3_SRC_IMAGES_ITK_READING_H
 
-#include <CGAL/Extremal_mesh_3/Voxels.h>
+#include <CGAL/Extremal_mesh_3/Image.h>
 
 #include <itkImageIOBase.h>
 
 #include <cstddef>
-#include <cstdint>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -16,8 +15,9 @@ namespace CGAL::Extremal_mesh_3 {
 /// \throws std::runtime_error if one is not finite
 Voxels read_voxels(itk::ImageIOBase& io, std::size_t n);
 
-/// \throws std::runtime_error if so many bytes are more than allowed
-void require_memory(double bytes, std::uint64_t limit);
+/// makes room for voxels: in memory, or in a temporary file if they would take more than half of what is allowed, as what is found on
+/// the surface needs memory, too.
+Voxels room_for_voxels(double number, const Image_reading_options& options);
 
 } // namespace CGAL::Extremal_mesh_3
 

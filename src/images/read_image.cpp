@@ -256,19 +256,26 @@ Voxels read_voxels(itk::ImageIOBase& io, std::size_t n) {
   return voxels;
 }
 
+Voxels room_for_voxels(double number, const Image_reading_options& options) {
+  const char* const usual = std::getenv("TMPDIR");
+  Voxels voxels;
+  if (number * sizeof(float) > double(options.memory_limit) / 2)
+    voxels = Voxels(Voxel_allocator(!options.scratch_folder.empty() ? options.scratch_folder
+                                    : usual && *usual               ? usual
+                                                                    : "/tmp"));
+  voxels.reserve(std::size_t(number));
+  return voxels;
+}
+
+namespace {
+
+/// \throws std::runtime_error if so many bytes are more than allowed
 void require_memory(double bytes, std::uint64_t limit) {
   constexpr double mega = 0x1p20;
   if (bytes > double(limit))
     throw std::runtime_error(
         fmt::format("to read it takes {:.0f} MB of memory, more than the {:.0f} MB that it may take", bytes / mega,
                     double(limit) / mega));
-}
-
-namespace {
-
-std::string scratch_folder(const Image_reading_options& options) {
-  const char* const usual = std::getenv("TMPDIR");
-  return !options.scratch_folder.empty() ? options.scratch_folder : usual && *usual ? usual : "/tmp";
 }
 
 Image read(const std::string& file, const Image_reading_options& options) {
@@ -297,10 +304,7 @@ Image read(const std::string& file, const Image_reading_options& options) {
     const std::uintmax_t size = std::filesystem::file_size(stored.file);
     if (stored.is_plain) {
       require_possible_size(stored, n, io->GetComponentSize());
-      // What is found on the surface needs memory, too.
-      if (double(n) * sizeof(float) > double(options.memory_limit) / 2)
-        image.voxels = Voxels(Voxel_allocator(scratch_folder(options)));
-      image.voxels.reserve(n);
+      image.voxels = room_for_voxels(double(n), options);
       read_by_pieces(*io, stored, n, image.voxels);
     } else {
       const bool are_floats = io->GetComponentType() == Component::FLOAT; // others are read as they are first

@@ -23,7 +23,7 @@ struct Image {
 /// How to read an image.
 struct Image_reading_options {
   /// Voxels that take more than half of so many bytes, as floats, are kept in a temporary file instead, mapped into memory
-  /// (`Voxel_allocator`). Those stored as text, scaled (NIfTI), or with bytes to skip are not: an image with such is refused,
+  /// (`Voxel_allocator`). Those stored as text, scaled (NIfTI), with bytes to skip, or in VTK's XML format are not: an image with such is refused,
   /// before memory is taken, if it takes more than all of it.
   std::uint64_t memory_limit = std::numeric_limits<std::uint64_t>::max();
   /// of temporary files; empty: the system's, which the environment variable TMPDIR names
