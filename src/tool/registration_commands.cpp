@@ -2,36 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "registration_commands.h"
 
-#include <CLI/CLI.hpp>
-
-#include <memory>
+#include "add_command.h"
 
 namespace CGAL::Extremal_mesh_3::tool {
 
 namespace {
 
-constexpr const char* graph = "an extremal mesh (.graphml)";
-
-/// a command whose options live as long as the program, and are those of `function`.
-template <class Options>
-std::pair<CLI::App*, std::shared_ptr<Options>> command(CLI::App& app, const char* name, const char* description,
-                                                       int (*function)(const Options&), std::function<int()>& run) {
-  auto options = std::make_shared<Options>();
-  CLI::App* added = app.add_subcommand(name, description);
-  added->callback([options, function, &run] { run = [options, function] { return function(*options); }; });
-  return {added, options};
-}
-
-template <class Value>
-CLI::Option* option(CLI::App* command, const char* name, Value& value, const char* type, const char* text) {
-  return command->add_option(name, value, text)->type_name(type);
-}
-
 void add_register(CLI::App& app, std::function<int()>& run) {
   const auto [c, o] =
       command(app, "register", "finds the motion that takes one extremal mesh to another", register_meshes, run);
-  option(c, "A", o->a, "", graph)->required();
-  option(c, "B", o->b, "", graph)->required();
+  option(c, "A", o->a, "", graph_argument)->required();
+  option(c, "B", o->b, "", graph_argument)->required();
   option(c, "-o,--output", o->output, "FILE", "write the motion, its errors and the matched vertices (.json)");
   option(c, "--tolerance", o->tolerance, "MM", "how far apart the same points may be (the side of a voxel, or σ)");
   c->add_flag("--scale", o->scale, "look for a uniform scale, too");
@@ -47,8 +28,8 @@ void add_register(CLI::App& app, std::function<int()>& run) {
 void add_compare(CLI::App& app, std::function<int()>& run) {
   const auto [c, o] =
       command(app, "compare", "tells which part of one extremal mesh is found in another", compare, run);
-  option(c, "A", o->a, "", graph)->required();
-  option(c, "B", o->b, "", graph)->required();
+  option(c, "A", o->a, "", graph_argument)->required();
+  option(c, "B", o->b, "", graph_argument)->required();
   option(c, "--transform", o->transform, "FILE", "the motion from A to B, as 'register -o' wrote it (.json)");
   option(c, "--tolerance", o->tolerance, "MM", "how far apart the same points may be (the side of a voxel, or σ)");
   option(c, "-o,--output", o->outputs, "FILE", "write the table (.csv .json .txt); repeatable")
@@ -61,7 +42,7 @@ void add_compare(CLI::App& app, std::function<int()>& run) {
 void add_landmarks(CLI::App& app, std::function<int()>& run) {
   const auto [c, o] =
       command(app, "landmarks", "lists extremal points as landmarks, the strongest first", landmarks, run);
-  option(c, "GRAPH", o->file, "", graph)->required();
+  option(c, "GRAPH", o->file, "", graph_argument)->required();
   option(c, "-o,--output", o->outputs, "FILE", "write them (.mrk.json for 3D Slicer, .csv); repeatable")
       ->allow_extra_args(false);
   option(c, "--most", o->most, "N", "so many, of each kind (all)");
@@ -73,7 +54,7 @@ void add_landmarks(CLI::App& app, std::function<int()>& run) {
 void add_match(CLI::App& app, std::function<int()>& run) {
   const auto [c, o] =
       command(app, "match", "tells how near given landmarks are to extremal points and lines", match, run);
-  option(c, "GRAPH", o->file, "", graph)->required();
+  option(c, "GRAPH", o->file, "", graph_argument)->required();
   option(c, "LANDMARKS", o->landmarks, "", "files of landmarks (.mrk.json .csv)")->required();
   option(c, "--most", o->most, "N", "only the N strongest extremal points, and umbilics, count (all)");
   option(c, "-o,--output", o->output, "FILE", "write what is nearest to each (.csv)");

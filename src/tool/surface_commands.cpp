@@ -2,30 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface_commands.h"
 
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
-#include <memory>
-#include <utility>
+#include "add_command.h"
 
 namespace CGAL::Extremal_mesh_3::tool {
 
 namespace {
 
-template <class Value>
-CLI::Option* option(CLI::App* command, const char* name, Value& value, const char* type, const char* text) {
-  return command->add_option(name, value, text)->type_name(type);
-}
-
-/// a command whose options live as long as the program, and are those of `function`, with what all of them have.
+/// a command with the argument that all of these have.
 template <class Options>
-std::pair<CLI::App*, std::shared_ptr<Options>> command(CLI::App& app, const char* name, const char* description,
-                                                       int (*function)(const Options&), std::function<int()>& run) {
-  auto options = std::make_shared<Options>();
-  CLI::App* added = app.add_subcommand(name, description);
-  added->callback([options, function, &run] { run = [options, function] { return function(*options); }; });
-  option(added, "GRAPH", options->file, "", "an extremal mesh (.graphml)")->required();
-  return {added, options};
+std::pair<CLI::App*, std::shared_ptr<Options>>
+command_on_graph(CLI::App& app, const char* name, const char* description, int (*function)(const Options&),
+                 std::function<int()>& run) {
+  const auto added = command(app, name, description, function, run);
+  option(added.first, "GRAPH", added.second->file, "", graph_argument)->required();
+  return added;
 }
 
 void add_common(CLI::App* command, Surface_command_options& options, const char* outputs) {
@@ -36,7 +26,7 @@ void add_common(CLI::App* command, Surface_command_options& options, const char*
 }
 
 void add_segment(CLI::App& app, std::function<int()>& run) {
-  const auto [c, o] = command(app, "segment", "tells the cell of each face of a surface", segment, run);
+  const auto [c, o] = command_on_graph(app, "segment", "tells the cell of each face of a surface", segment, run);
   option(
       c, "MESH", o->input, "",
       "a mesh of the same surface, not cut along the lines: .off .obj .ply .stl .om; without it the faces are those of "
@@ -53,7 +43,7 @@ void add_segment(CLI::App& app, std::function<int()>& run) {
 
 void add_reduce(CLI::App& app, std::function<int()>& run) {
   const auto [c, o] =
-      command(app, "reduce", "makes a surface of fewer triangles, with its crest lines kept", reduce, run);
+      command_on_graph(app, "reduce", "makes a surface of fewer triangles, with its crest lines kept", reduce, run);
   option(c, "--faces", o->number_of_faces, "N", "until there are at most so many triangles (a tenth of the surface's)");
   option(c, "--keep-crest", o->keep_crest, "STRENGTH", "crest lines of at least this strength are kept (0: all)");
   option(c, "--line-tolerance", o->line_tolerance, "LENGTH",
@@ -68,7 +58,7 @@ void add_reduce(CLI::App& app, std::function<int()>& run) {
 
 void add_flatten(CLI::App& app, std::function<int()>& run) {
   const auto [c, o] =
-      command(app, "flatten", "maps each cell to the plane: those of four corners to a square", flatten, run);
+      command_on_graph(app, "flatten", "maps each cell to the plane: those of four corners to a square", flatten, run);
   option(c, "--surface", o->patches, "FILE", "the cells of GRAPH as 'extract --cells' wrote them (.ply)");
   option(c, "-o,--output", o->output, "FILE", "write the surface with texture coordinates, a group per cell (.obj)");
   c->add_flag("--json", o->json, "print one JSON object");
