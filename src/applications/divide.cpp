@@ -27,6 +27,22 @@ std::uint32_t add_middle(Cell_patches& patches, std::uint32_t a, std::uint32_t b
   return std::uint32_t(patches.points.size() - 1);
 }
 
+/// The middles of edges that are divided, one for each.
+class Middles {
+public:
+  explicit Middles(Cell_patches& patches) : patches_(patches) {}
+  std::uint32_t of(std::uint32_t a, std::uint32_t b) {
+    const auto [found, is_new] = number_.try_emplace(ends(a, b), 0U);
+    if (is_new)
+      found->second = add_middle(patches_, a, b);
+    return found->second;
+  }
+
+private:
+  Cell_patches& patches_;
+  std::map<Ends, std::uint32_t> number_;
+};
+
 void add_triangle(Cell_patches& patches, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t cell) {
   patches.corners.insert(patches.corners.end(), {a, b, c});
   patches.begin.push_back(patches.corners.size());
@@ -94,7 +110,7 @@ Cell_patches divide_into_triangles(const Cell_patches& manifold) {
         add_triangle(result, middle, corners[j], corners[(j + 1) % n], cell);
       continue;
     }
-    std::map<Ends, std::uint32_t> middles;
+    Middles middles(result);
     for (const auto& ear : covers[i].ears)
       add_divided(result, {corners[ear[0]], corners[ear[1]], corners[ear[2]]}, cell,
                   [&, k = std::size_t(0)](std::uint32_t a, std::uint32_t b) mutable -> std::optional<std::uint32_t> {
@@ -102,10 +118,7 @@ Cell_patches divide_into_triangles(const Cell_patches& manifold) {
                     ++k;
                     if ((from + 1) % n == to || uses[ends(a, b)] <= 2)
                       return std::nullopt;
-                    const auto [found, is_new] = middles.try_emplace(ends(a, b), 0U);
-                    if (is_new)
-                      found->second = add_middle(result, a, b);
-                    return found->second;
+                    return middles.of(a, b);
                   });
   }
   return result;
@@ -116,17 +129,14 @@ Cell_patches divide_edges(const Cell_patches& triangles,
   Cell_patches result;
   result.points = triangles.points;
   result.normals = triangles.normals;
-  std::map<Ends, std::uint32_t> middles;
+  Middles middles(result);
   for (std::size_t i = 0; i < triangles.cell.size(); ++i) {
     const auto corners = polygon(triangles, i);
     add_divided(result, {corners[0], corners[1], corners[2]}, triangles.cell[i],
                 [&](std::uint32_t a, std::uint32_t b) -> std::optional<std::uint32_t> {
                   if (!choose(a, b))
                     return std::nullopt;
-                  const auto [found, is_new] = middles.try_emplace(ends(a, b), 0U);
-                  if (is_new)
-                    found->second = add_middle(result, a, b);
-                  return found->second;
+                  return middles.of(a, b);
                 });
   }
   return result;

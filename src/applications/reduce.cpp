@@ -6,10 +6,10 @@
 #include <CGAL/Extremal_mesh_3/reduce.h>
 #include <CGAL/Extremal_mesh_3/segment.h>
 
+#include "../cells/bounding_box.h"
 #include "../cells/parallel.h"
 #include "../cgal/collapse_edges.h"
 #include "Line_edges.h"
-#include "bounding_box.h"
 #include "divide.h"
 
 #include <fmt/format.h>

@@ -6,9 +6,9 @@
 
 #include "../algorithms/patches.h"
 #include "../cells/Union_find.h"
+#include "../cells/bounding_box.h"
 #include "../cells/parallel.h"
 #include "../differential/vector.h"
-#include "bounding_box.h"
 #include "triangles.h"
 
 #include <fmt/format.h>

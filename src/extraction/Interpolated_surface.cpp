@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Interpolated_surface.h"
 
+#include "../cells/bounding_box.h"
 #include "../differential/vector.h"
 
 #include <fmt/format.h>
@@ -28,17 +29,6 @@ bool has_frame(const Local_shape& s) {
   constexpr double rounding = 1e-6;
   return std::abs(dot(s.n, s.n) - 1) < rounding && std::abs(dot(s.u, s.u) - 1) < rounding &&
          std::abs(dot(s.u, s.n)) < rounding;
-}
-
-/// the length of the diagonal of the points' box.
-double size_of(const std::vector<Point>& points) {
-  Point low = points[0], high = points[0];
-  for (const Point& p : points)
-    for (std::size_t a = 0; a < 3; ++a) {
-      low[a] = std::min(low[a], p[a]);
-      high[a] = std::max(high[a], p[a]);
-    }
-  return distance(low, high);
 }
 
 /// the shape, with what is 0, or so small that its products vanish, made a little larger: the windings of fields around cells
@@ -125,7 +115,7 @@ std::vector<Sample> Interpolated_surface::samples(const Cell_complex& cells, con
   const std::size_t n = cells.points.size();
   std::vector<Sample> samples;
   samples.reserve(n + n / 8); // the division of cells will add some
-  const double length = size_of(cells.points);
+  const double length = diagonal_of(cells.points);
   for (std::size_t i = 0; i < n; ++i)
     samples.emplace_back(cells.points[i], never_zero(shapes.shapes[i], length), true);
   // Fourth derivatives of a fit are worth less than the differences between neighbouring fits, which make C smooth.

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef EXTREMAL_MESH_3_SRC_APPLICATIONS_BOUNDING_BOX_H
-#define EXTREMAL_MESH_3_SRC_APPLICATIONS_BOUNDING_BOX_H
+#ifndef EXTREMAL_MESH_3_SRC_CELLS_BOUNDING_BOX_H
+#define EXTREMAL_MESH_3_SRC_CELLS_BOUNDING_BOX_H
 
 #include "../differential/vector.h"
 
@@ -25,4 +25,4 @@ inline double diagonal_of(const std::vector<Point>& points) {
 
 } // namespace CGAL::Extremal_mesh_3
 
-#endif // EXTREMAL_MESH_3_SRC_APPLICATIONS_BOUNDING_BOX_H
+#endif // EXTREMAL_MESH_3_SRC_CELLS_BOUNDING_BOX_H
