@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Cells in the plane.
+#include "extracted_femur.h"
+
 #include <CGAL/Extremal_mesh_3/flatten.h>
 
 #include <CGAL/Extremal_mesh_3/Formula.h>
 #include <CGAL/Extremal_mesh_3/cell_queries.h>
-#include <CGAL/Extremal_mesh_3/fit_vertex_shapes.h>
-#include <CGAL/Extremal_mesh_3/read_mesh.h>
 
 #include "temporary_folder.h"
 
@@ -27,18 +27,6 @@ const Extraction& ellipsoid() {
     options.patches = true;
     return extract_extremal_mesh(Formula("x^2/9 + y^2/4 + z^2 - 1"), make_lattice({-4.1, -3.2, -2.3}, {4, 3, 2}, 40),
                                  options);
-  }();
-  return result;
-}
-
-const Extraction& femur() {
-  static const Extraction result = [] {
-    const Mesh mesh = read_mesh(EXTREMAL_MESH_3_DATA_DIR "/femur.off");
-    Fit_options fit;
-    fit.radius = 0.1;
-    Extraction_options options;
-    options.patches = true;
-    return extract_extremal_mesh(mesh.cells, fit_vertex_shapes(mesh.cells, fit).shapes, options);
   }();
   return result;
 }

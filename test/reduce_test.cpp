@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A surface of fewer triangles, with its crest lines kept.
+#include "extracted_femur.h"
+
 #include <CGAL/Extremal_mesh_3/reduce.h>
 
 #include <CGAL/Extremal_mesh_3/Formula.h>
-#include <CGAL/Extremal_mesh_3/fit_vertex_shapes.h>
 #include <CGAL/Extremal_mesh_3/lines.h>
-#include <CGAL/Extremal_mesh_3/read_mesh.h>
 #include <CGAL/Extremal_mesh_3/segment.h>
 
 #include <gtest/gtest.h>
@@ -37,18 +37,6 @@ const Extraction& ellipsoid() {
 const Extraction& torus() {
   static const Extraction result =
       extracted("(sqrt(x^2+1.3*y^2)-1)^2+z^2*(1+0.2*x)+0.03*y*z-0.16", {-1.6, -1.5, -0.7}, {1.6, 1.5, 0.7});
-  return result;
-}
-
-const Extraction& femur() {
-  static const Extraction result = [] {
-    const Mesh mesh = read_mesh(EXTREMAL_MESH_3_DATA_DIR "/femur.off");
-    Fit_options fit;
-    fit.radius = 0.1;
-    Extraction_options options;
-    options.patches = true;
-    return extract_extremal_mesh(mesh.cells, fit_vertex_shapes(mesh.cells, fit).shapes, options);
-  }();
   return result;
 }
 
