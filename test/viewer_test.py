@@ -10,6 +10,7 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 
 import browser
 
@@ -156,6 +157,35 @@ with browser.Page(work / "wavy.html") as page:
     assert page.screenshot() != whole
     page.evaluate(f"{viewer}.setLevel(0), {viewer}.setVisible('anchor', false)")
     page.settle()
+    assert page.errors == [], page.errors
+
+# on a slow machine less is drawn while the picture moves: the strongest lines and their vertices, on a coarser surface; at rest all
+run("extract", "--formula", "x^2/9 + y^2/4 + z^2 + 0.001*sin(9*x)*cos(8*y + 1) = 1", "--box", "-4", "-3", "-2", "4", "3", "2", "--resolution", "120",
+    "-o", "fine.graphml", "--cells", "fine.ply", "-o", "fine.html", "--quiet")
+with browser.Page(work / "fine.html") as page:
+    page.settle()
+    whole = page.evaluate(f"{viewer}.drawn()")
+    assert whole["triangles"] > 50000, whole
+    page.evaluate(f"{viewer}.render(0.25)")
+    less = page.evaluate(f"{viewer}.drawn()")
+    assert less["segments"] == -(-whole["segments"] // 4) and less["vertices"] == -(-whole["vertices"] // 4), (less, whole)
+    assert 10000 < less["triangles"] < 50000, less
+    page.evaluate(f"{viewer}.render()")
+    assert page.evaluate(f"{viewer}.drawn()") == whole
+    full = page.screenshot()
+    element = page.evaluate(f"{viewer}.pick(500, 430)")
+    assert element
+    page.evaluate(f"{viewer}.render(0.01)")
+    assert page.evaluate(f"{viewer}.pick(500, 430)") == element  # among all that there is, whatever was drawn last
+    page.evaluate(f"{viewer}.render()")
+    assert page.screenshot() == full
+    page.drag(500, 420, 200, 60)
+    for _ in range(200):
+        if page.evaluate(f"{viewer}.atRest()"):
+            break
+        time.sleep(0.05)
+    assert page.evaluate(f"{viewer}.atRest()") and page.evaluate(f"{viewer}.drawn()") == whole
+    assert page.screenshot() != full
     assert page.errors == [], page.errors
 
 # without a surface the lines are shown alone, those on the far side faded

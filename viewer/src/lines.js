@@ -3,6 +3,7 @@
 //
 // All lines: one instanced geometry, a quadrilateral per segment that the shader makes as wide as it should be on the
 // screen. Which types are seen, from which strength on, is decided by the shader too: nothing is copied when that changes.
+// The strongest come first, so that less is drawn by drawing fewer.
 import * as THREE from "three";
 
 const vertexShader = `
@@ -21,6 +22,7 @@ const vertexShader = `
   uniform float picked;
   uniform bool picking;
   uniform float scale;
+  uniform float lift;      // towards the eye
   uniform vec3 colours[4];
   varying vec3 vColour;
   varying vec2 vAt;        // along and across, in half widths
@@ -52,7 +54,7 @@ const vertexShader = `
     vAt = vec2(side < 0.0 ? -1.0 : vLength + 1.0, position.y);
     vec4 at = side < 0.0 ? ca : cb;
     at.xy += offset / viewport * 2.0 * at.w;
-    at.z -= (isPicked ? 0.0016 : 0.0008) * at.w; // in front of the surface that it lies on
+    at.z -= (isPicked ? 2.0 : 1.0) * lift * at.w; // in front of the surface that it lies on
     gl_Position = at;
   }`;
 
@@ -77,22 +79,39 @@ const fragmentShader = `
     gl_FragColor = vec4(colour, 1.0);
   }`;
 
+const lift = 0.0008; // of the depth
+
+/** where the points and the segments of each edge begin, the strongest edge first. */
+function strongestFirst(edges) {
+  let point = 0, segment = 0;
+  const order = Array.from(edges.points, (points, e) => {
+    const at = { e, point, segment };
+    point += points;
+    segment += points - 1;
+    return at;
+  });
+  return order.sort((a, b) => edges.strength[b.e] - edges.strength[a.e]);
+}
+
 /** makes the lines. `segments` counts those that are seen. */
 export function makeLines({ lines, edges, line_types, levels, closed }, hasSurface) {
   const count = lines.types.length;
   const from = new Float32Array(3 * count), to = new Float32Array(3 * count), up = new Int16Array(3 * count);
-  const edge = new Float32Array(count), strength = new Float32Array(count);
-  let s = 0, p = 0;
-  edges.points.forEach((points, e) => {
-    for (let i = 0; i + 1 < points; ++i, ++s, ++p) {
-      from.set(lines.points.subarray(3 * p, 3 * p + 3), 3 * s);
-      to.set(lines.points.subarray(3 * p + 3, 3 * p + 6), 3 * s);
-      up.set(lines.normals.subarray(3 * p, 3 * p + 3), 3 * s);
+  const type = new Float32Array(count), edge = new Float32Array(count), strength = new Float32Array(count);
+  const lastLevel = new Float32Array(count);
+  let s = 0;
+  for (const { e, point, segment } of strongestFirst(edges)) {
+    for (let i = 0; i + 1 < edges.points[e]; ++i, ++s) {
+      const p = 3 * (point + i);
+      from.set(lines.points.subarray(p, p + 3), 3 * s);
+      to.set(lines.points.subarray(p + 3, p + 6), 3 * s);
+      up.set(lines.normals.subarray(p, p + 3), 3 * s);
+      type[s] = lines.types[segment + i];
       edge[s] = e;
       strength[s] = edges.strength[e];
+      if (levels) lastLevel[s] = levels.of_segment[segment + i];
     }
-    ++p;
-  });
+  }
   const geometry = new THREE.InstancedBufferGeometry();
   geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]), 3));
   geometry.setIndex([0, 1, 2, 0, 2, 3]);
@@ -101,10 +120,9 @@ export function makeLines({ lines, edges, line_types, levels, closed }, hasSurfa
   add("from", from, 3);
   add("to", to, 3);
   add("up", up, 3, true);
-  add("type", Float32Array.from(lines.types), 1);
+  add("type", type, 1);
   add("edge", edge, 1);
   add("strength", strength, 1);
-  const lastLevel = levels ? Float32Array.from(levels.of_segment) : new Float32Array(count);
   add("lastLevel", lastLevel, 1);
   geometry.instanceCount = count;
   const material = new THREE.ShaderMaterial({
@@ -112,7 +130,7 @@ export function makeLines({ lines, edges, line_types, levels, closed }, hasSurfa
     uniforms: {
       viewport: { value: new THREE.Vector2() }, pixel: { value: 1 }, visible: { value: new THREE.Vector4(1, 1, 1, 1) },
       leastStrength: { value: 0 }, level: { value: 0 }, picked: { value: -1 }, picking: { value: false }, fade: { value: closed && !hasSurface },
-      scale: { value: count > 40000 ? 0.75 : 1 },
+      scale: { value: count > 40000 ? 0.75 : 1 }, lift: { value: lift },
       colours: { value: line_types.map((type) => new THREE.Vector3(...type.colour.map((c) => c / 255))) },
     },
   });
@@ -121,11 +139,17 @@ export function makeLines({ lines, edges, line_types, levels, closed }, hasSurfa
   return {
     object: mesh,
     uniforms: material.uniforms,
+    /** draws this share only, the strongest, and above the chords of a coarser surface; all if there is no share. */
+    reduce(share) {
+      geometry.instanceCount = Math.ceil((share ?? 1) * count);
+      material.uniforms.lift.value = share === undefined ? lift : 4 * lift;
+    },
+    drawn: () => geometry.instanceCount,
     segments() {
       const visible = material.uniforms.visible.value.toArray(), least = material.uniforms.leastStrength.value;
       const level = material.uniforms.level.value;
       let seen = 0;
-      for (let i = 0; i < count; ++i) seen += visible[lines.types[i]] > 0 && strength[i] >= least && lastLevel[i] >= level;
+      for (let i = 0; i < count; ++i) seen += visible[type[i]] > 0 && strength[i] >= least && lastLevel[i] >= level;
       return seen;
     },
   };

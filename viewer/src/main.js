@@ -120,7 +120,10 @@ window.addEventListener("keydown", (event) => {
  *   select({kind, id} | null), selected(), describe({kind, id})
  *   placeOf(point)                         where a point [x, y, z] is seen
  *   seen()                                 segments and vertices that are not switched off
- *   render()                               draws now; returns the number of draw calls
+ *   render(share)                          draws now, with a share as while the picture moves on a slow machine: of the
+ *                                          strongest lines and their vertices, coarser; returns the number of draw calls
+ *   drawn()                                segments, vertices and triangles in the last picture, switched off or not
+ *   atRest()                               whether the picture does not move, and all of it was drawn
  */
 window.extremalMeshViewer = {
   data, isVisible, setVisible, setLeastStrength, setLevel, setTint, setStereo, select,
@@ -129,8 +132,10 @@ window.extremalMeshViewer = {
   pick: (x, y) => stage.pick(x, y),
   placeOf: (point) => stage.project(point.map((x, a) => x - data.center[a])),
   seen: () => ({ segments: lines.segments(), vertices: points.count() }),
-  render() {
-    stage.render();
+  atRest: () => stage.atRest(),
+  drawn: () => ({ segments: lines.drawn(), vertices: points.drawn(), triangles: surface?.drawn() ?? 0 }),
+  render(share) {
+    stage.render(share);
     return stage.renderer.info.render.calls;
   },
 };

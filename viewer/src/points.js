@@ -69,18 +69,31 @@ const fragmentShader = `
     gl_FragColor = vec4(colour, 1.0);
   }`;
 
+/** the vertices, those at the strongest edges first. */
+function strongestFirst({ vertices, edges }) {
+  const strength = new Float32Array(vertices.class.length);
+  edges.strength.forEach((s, e) => {
+    for (const v of [edges.source[e], edges.target[e]]) strength[v] = Math.max(strength[v], s);
+  });
+  return Uint32Array.from(strength, (_, v) => v).sort((v, w) => strength[w] - strength[v] || v - w);
+}
+
 /** makes the vertices. `count` counts those that are not switched off. */
-export function makePoints({ vertices, vertex_classes, levels, closed, center }) {
-  const count = vertices.class.length;
-  const position = new Float32Array(3 * count);
-  vertices.point.forEach((p, v) => position.set(p.map((x, a) => x - center[a]), 3 * v));
+export function makePoints({ vertices, edges, vertex_classes, levels, closed, center }) {
+  const order = strongestFirst({ vertices, edges }), count = order.length;
+  const position = new Float32Array(3 * count), normal = new Int16Array(3 * count);
+  order.forEach((v, i) => {
+    position.set(vertices.point[v].map((x, a) => x - center[a]), 3 * i);
+    normal.set(vertices.normals.subarray(3 * v, 3 * v + 3), 3 * i);
+  });
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", new THREE.BufferAttribute(position, 3));
-  geometry.setAttribute("normal", new THREE.BufferAttribute(vertices.normals, 3, true));
-  geometry.setAttribute("kind", new THREE.BufferAttribute(Float32Array.from(vertices.class), 1));
-  geometry.setAttribute("vertex", new THREE.BufferAttribute(Float32Array.from(vertices.class, (_, v) => v), 1));
-  const lastLevel = levels ? Float32Array.from(levels.of_vertex) : new Float32Array(count);
-  geometry.setAttribute("lastLevel", new THREE.BufferAttribute(lastLevel, 1));
+  geometry.setAttribute("normal", new THREE.BufferAttribute(normal, 3, true));
+  const add = (name, value) => geometry.setAttribute(name, new THREE.BufferAttribute(Float32Array.from(order, value), 1));
+  add("kind", (v) => vertices.class[v]);
+  add("vertex", (v) => v);
+  add("lastLevel", (v) => levels?.of_vertex[v] ?? 0);
+  geometry.setDrawRange(0, count);
   const classes = Array.from({ length: 16 }, (_, k) => vertex_classes[k]);
   const material = new THREE.ShaderMaterial({
     vertexShader, fragmentShader,
@@ -96,10 +109,15 @@ export function makePoints({ vertices, vertex_classes, levels, closed, center })
   return {
     object,
     uniforms: material.uniforms,
+    /** draws this share only, those at the strongest edges; all if there is no share. */
+    reduce(share) {
+      geometry.setDrawRange(0, Math.ceil((share ?? 1) * count));
+    },
+    drawn: () => geometry.drawRange.count,
     count() {
-      const { visible, level } = material.uniforms;
+      const { visible, level } = material.uniforms, { kind, lastLevel } = geometry.attributes;
       let seen = 0;
-      for (let v = 0; v < count; ++v) seen += visible.value[vertices.class[v]] > 0 && lastLevel[v] >= level.value;
+      for (let i = 0; i < count; ++i) seen += visible.value[kind.array[i]] > 0 && lastLevel.array[i] >= level.value;
       return seen;
     },
   };

@@ -4,18 +4,19 @@
 // Renderer, camera, stereo pair, and what is under the pointer.
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { Pace } from "./pace.js";
 
 const reach = 9; // pixels of the window in which an element is looked for; odd
 /** the distance of the eyes, of the distance that the eye has from what it looks at. */
 const eyes = 0.055;
 
 export class Stage {
-  /** \param parts  of the scene, each with `object` and `uniforms` */
+  /** \param parts  of the scene, each with `object` and `uniforms`, and `reduce(share)` if less of it can be drawn, all if without a share */
   constructor(canvas, data, parts) {
     this.canvas = canvas;
     this.parts = parts;
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.fineness = Math.min(window.devicePixelRatio, 2); // pixels of the picture in a pixel of CSS
     this.renderer.info.autoReset = false;
     this.scene = new THREE.Scene();
     for (const part of parts) this.scene.add(part.object);
@@ -24,11 +25,14 @@ export class Stage {
     this.home = { view: new THREE.Vector3().fromArray(data.view).normalize(), radius: data.radius || 1 };
     this.controls = new OrbitControls(this.camera, canvas);
     Object.assign(this.controls, { enableDamping: true, dampingFactor: 0.12, zoomToCursor: true, rotateSpeed: 0.9 });
-    this.controls.addEventListener("change", () => this.draw());
+    this.controls.addEventListener("change", () => {
+      this.pace.move();
+      this.draw();
+    });
+    this.pace = new Pace(() => this.draw());
     this.stereo = "off"; // or "parallel", "crossed"
     this.pickTarget = new THREE.WebGLRenderTarget(reach, reach);
-    this.pending = false;
-    this.frames = 0;
+    this.wanted = this.pending = false;
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
     this.resize();
     this.reset();
@@ -63,14 +67,39 @@ export class Stage {
     this.draw();
   }
 
+  /** a picture with the next frame, or with that after the one that is being drawn. */
   draw() {
+    this.wanted = true;
     if (this.pending) return;
     this.pending = true;
     requestAnimationFrame(() => {
-      this.pending = false;
+      this.wanted = false;
+      const { reduced } = this.pace, start = performance.now();
       this.controls.update();
-      this.render();
+      this.render(reduced ? this.pace.share : undefined);
+      this.whenDrawn(() => {
+        this.pace.took(performance.now() - start, reduced);
+        this.pending = false;
+        if (this.wanted) this.draw();
+      });
     });
+  }
+
+  atRest() {
+    return !this.pace.moving && !this.pending;
+  }
+
+  /** calls back when the graphics processor has done what it was told: frames do not pile up where it is slow. */
+  whenDrawn(then) {
+    const gl = this.renderer.getContext();
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    const look = () => {
+      if (!gl.isContextLost() && gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.UNSIGNALED) return void setTimeout(look, 1);
+      gl.deleteSync(fence);
+      then();
+    };
+    setTimeout(look, 0);
   }
 
   /** what is seen of the canvas by which eye: rectangles in device pixels from the lower left. */
@@ -100,9 +129,11 @@ export class Stage {
     for (const { uniforms } of this.parts) if (uniforms[name]) uniforms[name].value = value;
   }
 
-  /** a picture now, without waiting for the next frame. */
-  render() {
-    const { renderer } = this, ratio = renderer.getPixelRatio();
+  /** a picture now, without waiting for the next frame; with a share, of that many lines only, coarser, in coarser pixels. */
+  render(share) {
+    const { renderer } = this, ratio = share === undefined ? this.fineness : this.fineness / 2;
+    if (renderer.getPixelRatio() !== ratio) renderer.setPixelRatio(ratio);
+    for (const part of this.parts) part.reduce?.(share);
     renderer.info.reset();
     renderer.setScissorTest(true);
     this.set("pixel", ratio);
@@ -113,7 +144,6 @@ export class Stage {
       renderer.setScissor(...box);
       renderer.render(this.scene, view.camera);
     }
-    ++this.frames;
   }
 
   /** \return {kind: "cell" | "edge" | "vertex", id} of what is at a place of the canvas, in CSS pixels; null if nothing is */
@@ -134,6 +164,7 @@ export class Stage {
       .set(sx, 0, 0, -sx * nx, 0, sy, 0, -sy * ny, 0, 0, 1, 0, 0, 0, 0, 1)
       .multiply(view.camera.projectionMatrix);
     eye.projectionMatrixInverse.copy(eye.projectionMatrix).invert();
+    for (const part of this.parts) part.reduce?.();
     this.set("viewport", new THREE.Vector2(reach, reach));
     this.set("picking", true);
     renderer.setScissorTest(false);

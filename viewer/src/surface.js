@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The surface: one mesh. What colour a cell has stands in a texture with one texel per cell, so that cells are lit up
-// without touching the mesh.
+// without touching the mesh. A coarser one of the same points is there for where all of it would take too long.
 import * as THREE from "three";
 
 const width = 1024; // of the texture
@@ -47,7 +47,7 @@ function meanCurvature({ points, normals, triangles }) {
 const vertexShader = `
   attribute float cell;
   attribute float curvature;
-  varying float vCell;
+  flat varying float vCell; // a triangle of the coarser surface may have corners in several cells
   varying float vCurvature;
   varying vec3 vNormal;
   varying vec3 vEye;
@@ -64,7 +64,7 @@ const fragmentShader = `
   uniform highp sampler2D cells;
   uniform int tint; // 0: by cell, 1: by curvature, 2: plain
   uniform bool picking;
-  varying float vCell;
+  flat varying float vCell;
   varying float vCurvature;
   varying vec3 vNormal;
   varying vec3 vEye;
@@ -97,6 +97,34 @@ const fragmentShader = `
     gl_FragColor = vec4(colour * light * (1.0 - 0.25 * rim) + 0.07 * gloss, 1.0);
   }`;
 
+/**
+ * the triangles of a coarser surface, of which there are about `wanted`: points that share a box of a lattice become the
+ * first of them, and what is no triangle any more is left out. Null if there are not twice as many to begin with.
+ */
+function coarser({ points, triangles }, wanted) {
+  if (triangles.length < 6 * wanted) return null;
+  let area = 0;
+  const corner = [0, 1, 2].map(() => new THREE.Vector3());
+  for (let t = 0; t < triangles.length; t += 3) {
+    for (let j = 0; j < 3; ++j) corner[j].fromArray(points, 3 * triangles[t + j]);
+    area += corner[1].sub(corner[0]).cross(corner[2].sub(corner[0])).length() / 2;
+  }
+  const width = Math.sqrt((3 * area) / wanted) || 1; // a surface meets about 1.5 boxes per area of a face
+  const first = new Map(), of = new Uint32Array(points.length / 3);
+  for (let i = 0; i < of.length; ++i) {
+    const [x, y, z] = [0, 1, 2].map((a) => Math.floor(points[3 * i + a] / width) + 0x8000);
+    const box = (x * 0x10000 + y) * 0x10000 + z;
+    if (!first.has(box)) first.set(box, i);
+    of[i] = first.get(box);
+  }
+  const left = [];
+  for (let t = 0; t < triangles.length; t += 3) {
+    const [a, b, c] = [0, 1, 2].map((j) => of[triangles[t + j]]);
+    if (a !== b && b !== c && c !== a) left.push(a, b, c);
+  }
+  return new Uint32Array(left);
+}
+
 /** makes the surface. `light(cells)` lights these cells up, and no others; `paint(colours)` gives each cell another colour. */
 export function makeSurface({ surface, cells }) {
   const geometry = new THREE.BufferGeometry();
@@ -104,7 +132,10 @@ export function makeSurface({ surface, cells }) {
   geometry.setAttribute("normal", new THREE.BufferAttribute(surface.normals, 3, true));
   geometry.setAttribute("cell", new THREE.BufferAttribute(Float32Array.from(surface.cells), 1));
   geometry.setAttribute("curvature", new THREE.BufferAttribute(meanCurvature(surface), 1));
-  geometry.setIndex(new THREE.BufferAttribute(surface.triangles, 1));
+  const whole = new THREE.BufferAttribute(surface.triangles, 1);
+  const few = coarser(surface, 25000);
+  const coarse = few && new THREE.BufferAttribute(few, 1);
+  geometry.setIndex(whole);
 
   const count = cells.sign.length;
   const texels = new Uint8Array(4 * width * Math.max(1, Math.ceil(count / width)));
@@ -123,6 +154,11 @@ export function makeSurface({ surface, cells }) {
   return {
     object: mesh,
     uniforms: material.uniforms,
+    /** draws the coarser surface with a share of the lines; all if there is no share. */
+    reduce(share) {
+      geometry.setIndex(share !== undefined && coarse ? coarse : whole);
+    },
+    drawn: () => geometry.index.count / 3,
     paint(colours) {
       for (let c = 0; c < count; ++c) texels.set(colours.subarray(3 * c, 3 * c + 3), 4 * c);
       texture.needsUpdate = true;
