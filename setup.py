@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The step of the Python module's build that pyproject.toml cannot tell: CMake compiles the core.
 
-CMAKE_ARGS holds further arguments for CMake, EXTREMAL_MESH_3_PYTHON_BUILD_DIR names a build folder to be used, and used again, instead of
-build/python-package.
+CMAKE_ARGS holds further arguments for CMake. EXTREMAL_MESH_3_PYTHON_BUILD_DIR names a build folder that is configured for the module, with
+EXTREMAL_MESH_3_BUILD_PYTHON and for this Python, to be used as it is; without it, build/python-package is made.
 """
 import os
 import pathlib
@@ -17,17 +17,20 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 root = pathlib.Path(__file__).parent.resolve()
-folder = pathlib.Path(os.environ.get("EXTREMAL_MESH_3_PYTHON_BUILD_DIR", root / "build" / "python-package"))
-folder.mkdir(parents=True, exist_ok=True)
+configured = os.environ.get("EXTREMAL_MESH_3_PYTHON_BUILD_DIR")
+folder = pathlib.Path(configured or root / "build" / "python-package")
+package = folder / "python" / "package"  # what setuptools leaves
+package.mkdir(parents=True, exist_ok=True)
 
 
 class CMake(build_ext):
     def build_extension(self, ext):
-        ninja = ["-G", "Ninja"] if shutil.which("ninja") and not (folder / "CMakeCache.txt").exists() else []
-        subprocess.run(
-            ["cmake", "-S", str(root), "-B", str(folder), *ninja, "-DCMAKE_BUILD_TYPE=Release", "-DEXTREMAL_MESH_3_BUILD_PYTHON=ON",
-             "-DEXTREMAL_MESH_3_BUILD_TESTS=OFF", "-DEXTREMAL_MESH_3_BUILD_EXAMPLES=OFF", f"-DEXTREMAL_MESH_3_PYTHON={sys.executable}",
-             *shlex.split(os.environ.get("CMAKE_ARGS", ""))], check=True)
+        if not configured:
+            ninja = ["-G", "Ninja"] if shutil.which("ninja") and not (folder / "CMakeCache.txt").exists() else []
+            subprocess.run(
+                ["cmake", "-S", str(root), "-B", str(folder), *ninja, "-DCMAKE_BUILD_TYPE=Release", "-DEXTREMAL_MESH_3_BUILD_PYTHON=ON",
+                 "-DEXTREMAL_MESH_3_BUILD_TESTS=OFF", "-DEXTREMAL_MESH_3_BUILD_EXAMPLES=OFF", f"-DEXTREMAL_MESH_3_PYTHON={sys.executable}",
+                 *shlex.split(os.environ.get("CMAKE_ARGS", ""))], check=True)
         subprocess.run(["cmake", "--build", str(folder), "--target", "extremal_mesh_core", "--parallel", str(os.cpu_count())], check=True)
         target = pathlib.Path(self.get_ext_fullpath(ext.name))
         target.parent.mkdir(parents=True, exist_ok=True)
@@ -42,5 +45,5 @@ setup(
     ext_modules=[Extension("extremal_mesh._core", sources=[])],
     cmdclass={"build_ext": CMake},
     zip_safe=False,
-    options={"egg_info": {"egg_base": str(folder)}, "build": {"build_base": str(folder / "package")}},  # nothing in the tree
+    options={"egg_info": {"egg_base": str(package)}, "build": {"build_base": str(package)}},  # nothing in the tree
 )

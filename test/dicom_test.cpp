@@ -6,6 +6,7 @@
 #include <CGAL/Extremal_mesh_3/Image_function.h>
 #include <CGAL/Extremal_mesh_3/check.h>
 #include <CGAL/Extremal_mesh_3/extract_extremal_mesh.h>
+#include <CGAL/Extremal_mesh_3/io.h>
 
 #include "temporary_folder.h"
 
@@ -14,6 +15,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <sys/wait.h>
 
 using namespace CGAL::Extremal_mesh_3;
 
@@ -241,6 +245,32 @@ TEST(Dicom, has_the_extremal_mesh_of_an_ellipsoid_however_the_gantry_is_tilted) 
       EXPECT_LT(nearest, 1) << degrees;
     }
   }
+}
+
+TEST(Dicom, is_read_by_the_program_from_a_folder_or_a_slice) {
+  const Temporary_folder folder, results;
+  write_series(folder, tilted(17));
+  const auto run = [&](const std::string& input, const std::string& output) {
+    const std::string command = std::string(EXTREMAL_MESH_3_PROGRAM) + " extract '" + input +
+                                "' --iso 1000 --sigma 2 --quiet -o " + results.file(output) + " 2> " +
+                                results.file("err");
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  };
+  ASSERT_EQ(run(folder.path(), "folder.graphml"), 0) << read_text(results.file("err"));
+  ASSERT_EQ(run(folder.file(name_of(5)), "slice.graphml"), 0) << read_text(results.file("err"));
+  const Extremal_mesh of_folder = read_graphml(results.file("folder.graphml"));
+  const Extremal_mesh of_slice = read_graphml(results.file("slice.graphml"));
+  EXPECT_EQ(of_folder.number_of_vertices(), 10U);
+  ASSERT_EQ(of_slice.number_of_vertices(), of_folder.number_of_vertices());
+  for (std::size_t v = 0; v < of_folder.number_of_vertices(); ++v)
+    EXPECT_EQ(of_slice.vertex(v).point, of_folder.vertex(v).point);
+
+  std::filesystem::remove(folder.file(name_of(40)));
+  EXPECT_EQ(run(folder.path(), "missing.graphml"), 1);
+  EXPECT_TRUE(contains(read_text(results.file("err")), "1 of its slices is missing between"))
+      << read_text(results.file("err"));
+  EXPECT_FALSE(std::filesystem::exists(results.file("missing.graphml")));
 }
 
 TEST(Dicom, tells_of_missing_slices) {
