@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <random>
 #include <sys/wait.h>
 
 using namespace CGAL::Extremal_mesh_3;
@@ -326,4 +327,43 @@ TEST(Dicom, tells_of_slices_of_other_sizes_and_of_damaged_ones) {
     EXPECT_TRUE(contains(refusal(damaged.path()), "'1.2.3.4_2'")) << left << refusal(damaged.path());
   }
   EXPECT_TRUE(contains(refusal(empty.path()), "without DICOM slices")) << refusal(empty.path());
+}
+
+// GDCM ends the program at one in fifty of these.
+TEST(Dicom, whose_slice_is_changed_anywhere_is_read_or_refused) {
+  const Temporary_folder folder;
+  Series series = small();
+  for (std::size_t k = 0; k < series.lattice.size[2]; ++k)
+    write_small(folder, series, k, {0, 0, double(k)});
+  const std::string file = folder.file(series.uid + "_3"), whole = read_text(file);
+  std::mt19937 random(1);
+  const auto number = [&](std::size_t n) { return std::size_t(random() % n); };
+  std::size_t refused = 0;
+  constexpr std::size_t mark = 132, times = 400;
+  for (std::size_t t = 0; t < times; ++t) {
+    std::string changed = whole;
+    const std::size_t at = mark + number(whole.size() - mark - 8);
+    switch (number(4)) {
+    case 0:
+      changed[at] = char(number(256));
+      break;
+    case 1:
+      changed.erase(at, 1 + number(7));
+      break;
+    case 2:
+      changed.insert(at, std::string(1 + number(7), char(number(256))));
+      break;
+    default:
+      changed.replace(at, 8, whole, mark + number(whole.size() - mark - 8), 8);
+    }
+    write_text(file, changed);
+    try {
+      EXPECT_EQ(read_image(folder.path()).voxels.size(), 5U * 6U * 7U);
+    } catch (const Io_error& error) {
+      EXPECT_TRUE(contains(error.what(), folder.path())) << error.what();
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, times / 4);
+  EXPECT_LT(refused, times);
 }

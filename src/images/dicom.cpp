@@ -3,14 +3,16 @@
 //
 // Slices are read by GDCM through ITK, and put together here: ITK's reader of series takes the distance of the first two slices for that of all, does not know
 // of lattices that are not rectangular, as a tilted gantry makes them, and only warns of missing slices. The positions are those of DICOM PS3.3,
-// C.7.6.2.1.1 (Image Position and Image Orientation).
+// C.7.6.2.1.1 (Image Position and Image Orientation). GDCM ends the program at some damaged files, which are therefore tried in a child process first.
 #include "dicom.h"
 
 #include "../differential/vector.h"
 #include "change_of_coordinates.h"
+#include "in_child.h"
 #include "itk_reading.h"
 
 #include <fmt/format.h>
+#include <gdcmTrace.h>
 #include <itkGDCMImageIO.h>
 #include <itkMetaDataObject.h>
 
@@ -19,6 +21,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -137,6 +140,40 @@ itk::GDCMImageIO::Pointer open(const std::string& file) {
   return io;
 }
 
+/// \param bytes  that an attempt may take beside those of the file
+/// Keeps GDCM from printing what is told by exceptions, as long as it lives.
+class Quiet_gdcm {
+public:
+  Quiet_gdcm() : warns_(gdcm::Trace::GetWarningFlag()), tells_errors_(gdcm::Trace::GetErrorFlag()) {
+    gdcm::Trace::SetWarning(false);
+    gdcm::Trace::SetError(false);
+  }
+  Quiet_gdcm(const Quiet_gdcm&) = delete;
+  Quiet_gdcm& operator=(const Quiet_gdcm&) = delete;
+  ~Quiet_gdcm() {
+    gdcm::Trace::SetWarning(warns_);
+    gdcm::Trace::SetError(tells_errors_);
+  }
+
+private:
+  bool warns_, tells_errors_;
+};
+
+/// \throws std::runtime_error if an attempt at a slice ends a process
+void try_in_child(const std::vector<std::string>& files, std::size_t bytes,
+                  const std::function<void(const std::string&)>& attempt) {
+  constexpr std::size_t slices_a_second = 10, usual_bytes = std::size_t(1) << 28U, copies = 8;
+  Child_limits limits;
+  limits.seconds += unsigned(files.size() / slices_a_second);
+  std::size_t largest = 0;
+  for (const std::string& file : files)
+    largest = std::max<std::size_t>(largest, fs::file_size(file));
+  limits.bytes = usual_bytes + copies * (largest + bytes);
+  if (const auto i = first_that_ends_a_child(
+          files.size(), [&](std::size_t k) { attempt(files[k]); }, limits))
+    throw std::runtime_error(fmt::format("its slice '{}' is damaged", fs::path(files[*i]).filename().string()));
+}
+
 Slice slice_of(const std::string& file) {
   const auto io = open(file);
   Slice slice;
@@ -170,6 +207,7 @@ std::vector<Slice> slices_of(const std::string& path) {
   std::sort(files.begin(), files.end());
   if (files.empty())
     throw std::runtime_error("it is a folder without DICOM slices");
+  try_in_child(files, 0, slice_of);
   std::vector<Slice> slices;
   const std::string wanted = is_folder ? "" : slice_of(path).series;
   std::set<std::string> series;
@@ -248,6 +286,7 @@ bool may_be_dicom(const std::string& path) {
 }
 
 Image read_dicom(const std::string& path, const Image_reading_options& options) {
+  const Quiet_gdcm quiet;
   std::vector<Slice> slices = slices_of(path);
   constexpr std::size_t least_size = 4;
   if (slices.size() < least_size)
@@ -267,6 +306,10 @@ Image read_dicom(const std::string& path, const Image_reading_options& options) 
     throw std::runtime_error("its direction matrix is singular");
   const std::size_t n = lattice.size[0] * lattice.size[1];
   image.voxels = room_for_voxels(double(n) * double(slices.size()), options);
+  std::vector<std::string> files;
+  for (const Slice& slice : slices)
+    files.push_back(slice.file);
+  try_in_child(files, n * sizeof(float), [n](const std::string& file) { read_voxels(*open(file), n); });
   for (const Slice& slice : slices) {
     const auto io = open(slice.file);
     try {
