@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cells_json.h"
 
+#include "json_text.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -19,22 +23,33 @@ void append_number(fmt::memory_buffer& out, double value) {
     out.append(std::string_view(".0"));
 }
 
+int integer(const json& object, const char* key, std::size_t c) {
+  const json& value = object.at(key);
+  using Limits = std::numeric_limits<int>;
+  const bool fits = value.is_number_unsigned()  ? value.get<std::uint64_t>() <= std::uint64_t(Limits::max())
+                    : value.is_number_integer() ? value.get<std::int64_t>() >= Limits::min()
+                                                : false;
+  if (!fits)
+    throw graphml::Value_error(fmt::format("cell {}: its {} is '{}'; expected an integer", c, key, json_text(value)));
+  return value.get<int>();
+}
+
 Extremal_mesh_cell cell_of(const json& object, std::size_t c) {
   if (!object.is_object())
     throw graphml::Value_error(fmt::format("cell {} is not a JSON object", c));
-  if (object.at("id").get<std::size_t>() != c)
-    throw graphml::Value_error(fmt::format("cell {} has id {}; ids must be 0, 1, 2, …", c, object["id"].dump()));
+  if (const json& id = object.at("id"); !id.is_number_unsigned() || id.get<std::uint64_t>() != c)
+    throw graphml::Value_error(fmt::format("cell {} has id {}; ids must be 0, 1, 2, …", c, json_text(id)));
   Extremal_mesh_cell cell;
-  cell.sign = object.at("sign").get<int>();
+  cell.sign = integer(object, "sign", c);
   cell.area = object.at("area").get<double>();
   cell.weight = object.at("weight").get<double>();
-  cell.euler_characteristic = object.at("euler_characteristic").get<int>();
+  cell.euler_characteristic = integer(object, "euler_characteristic", c);
   cell.touches_border = object.at("touches_border").get<bool>();
   for (const json& walk : object.at("boundary")) {
     std::vector<Half_edge>& half_edges = cell.boundary.emplace_back();
     for (const json& h : walk) {
       if (!h.is_number_unsigned() || h.get<std::uint64_t>() > std::numeric_limits<Half_edge>::max())
-        throw graphml::Value_error(fmt::format("cell {}: '{}' is not the number of a half-edge", c, h.dump()));
+        throw graphml::Value_error(fmt::format("cell {}: '{}' is not the number of a half-edge", c, json_text(h)));
       half_edges.push_back(h.get<Half_edge>());
     }
   }

@@ -6,6 +6,8 @@
 #include <CGAL/Extremal_mesh_3/io.h>
 #include <CGAL/Extremal_mesh_3/lines.h>
 
+#include "json_text.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -58,7 +60,7 @@ void write_markups(const std::string& file, const Extremal_mesh& mesh) {
   const Json json = {{"@schema", "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/"
                                  "Resources/Schema/markups-schema-v1.0.3.json#"},
                      {"markups", std::move(markups)}};
-  write_text_file(file, json.dump(1) + "\n");
+  write_text_file(file, json_text(json, 1) + "\n");
 }
 
 } // namespace CGAL::Extremal_mesh_3

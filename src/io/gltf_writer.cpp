@@ -7,6 +7,7 @@
 #include "Text_file.h"
 #include "base64.h"
 #include "colours.h"
+#include "json_text.h"
 
 #include <CGAL/Extremal_mesh_3/interchange.h>
 
@@ -92,7 +93,7 @@ public:
       json_.erase("buffers");
     if (json_["scenes"][0]["nodes"].empty())
       json_["scenes"][0].erase("nodes");
-    std::string text = json_.dump();
+    std::string text = json_text(json_);
     Text_file out(file);
     if (!binary) {
       out << text << "\n";

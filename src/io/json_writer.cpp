@@ -5,6 +5,8 @@
 #include <CGAL/Extremal_mesh_3/interchange.h>
 #include <CGAL/Extremal_mesh_3/io.h>
 
+#include "json_text.h"
+
 #include <nlohmann/json.hpp>
 
 namespace CGAL::Extremal_mesh_3 {
@@ -81,7 +83,7 @@ void write_json(const std::string& file, const Extremal_mesh& mesh) {
     json["edges"].push_back(json_of(mesh.edge(e)));
   for (const Extremal_mesh_cell& cell : mesh.cells())
     json["cells"].push_back(json_of(cell));
-  write_text_file(file, json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_text_file(file, json_text(json) + "\n");
 }
 
 } // namespace CGAL::Extremal_mesh_3

@@ -6,6 +6,8 @@
 #include <CGAL/Extremal_mesh_3/io.h>
 #include <CGAL/Extremal_mesh_3/landmarks.h>
 
+#include "json_text.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -149,7 +151,7 @@ void write_markups(const std::string& file, const Extremal_mesh& mesh, const std
   const Json json = {{"@schema", "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/"
                                  "Resources/Schema/markups-schema-v1.0.3.json#"},
                      {"markups", Json::array({markup})}};
-  write_text_file(file, json.dump(2) + "\n");
+  write_text_file(file, json_text(json, 2) + "\n");
 }
 
 void write_landmarks_csv(const std::string& file, const Extremal_mesh& mesh, const std::vector<Landmark>& landmarks) {

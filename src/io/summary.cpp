@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Extremal_mesh_3/summary.h>
 
+#include "json_text.h"
+
 #include <nlohmann/json.hpp>
 
 namespace CGAL::Extremal_mesh_3 {
@@ -128,7 +130,7 @@ std::string to_json(const Extremal_mesh& mesh, const std::vector<Check>& checks,
   json["frame"] = surface.frame;
   json["parameters"] = parameters_of(surface.parameters);
   // a file's name need not be UTF-8
-  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+  return json_text(json, 2);
 }
 
 } // namespace CGAL::Extremal_mesh_3

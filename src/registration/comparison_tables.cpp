@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Extremal_mesh_3/compare.h>
 
+#include "../io/json_text.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -46,7 +48,7 @@ std::string to_json(const Comparison& c) {
   json["cells_percent"] = 100 * c.cells;
   json["cells_back_percent"] = 100 * c.cells_back;
   json["cells_area_percent"] = 100 * c.area_of_cells;
-  return json.dump(2);
+  return json_text(json, 2);
 }
 
 } // namespace CGAL::Extremal_mesh_3

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../io/json_text.h"
 #include "Step_finder.h"
 #include "build_mesh.h"
 
@@ -222,7 +223,7 @@ Extremal_mesh Simplification::mesh_at(std::size_t level) const {
     if (parameters.contains("simplification"))
       simplification["before"] = parameters["simplification"];
     parameters["simplification"] = std::move(simplification);
-    mesh.set_provenance(surface.source, parameters.dump(), surface.frame);
+    mesh.set_provenance(surface.source, json_text(parameters), surface.frame);
   }
   return mesh;
 }

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../io/json_text.h"
 #include "Input.h"
 #include "Outputs.h"
 #include "Progress_bar.h"
@@ -104,9 +105,7 @@ int extract(const Extract_options& options) {
   input.parameters["max_line_level"] = extraction_options.max_line_level;
   if (options.line_tolerance)
     input.parameters["line_tolerance"] = *options.line_tolerance;
-  using Json = nlohmann::ordered_json;
-  result.extraction.mesh.set_provenance(
-      input.source, input.parameters.dump(-1, ' ', false, Json::error_handler_t::replace), input.frame);
+  result.extraction.mesh.set_provenance(input.source, json_text(input.parameters), input.frame);
   result.checks = Extremal_mesh_3::check(result.extraction.mesh);
   outputs.write(result);
   if (options.json)

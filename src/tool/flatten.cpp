@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../io/json_text.h"
 #include "Progress_bar.h"
 #include "surface_commands.h"
 
@@ -99,7 +100,7 @@ int flatten(const Flatten_options& options) {
     write_flat_obj(options.output, flattening);
   const Counts counts = count(flattening);
   if (options.json)
-    fmt::print("{}\n", to_json(flattening, counts).dump(2));
+    fmt::print("{}\n", json_text(to_json(flattening, counts), 2));
   else if (!options.quiet)
     print(flattening, counts);
   return success;

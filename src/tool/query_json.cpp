@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "query_json.h"
 
+#include "../io/json_text.h"
+
 namespace CGAL::Extremal_mesh_3::tool {
 
 namespace {
@@ -39,7 +41,7 @@ Json type_changes_of(const Extremal_mesh& mesh, const std::vector<Half_edge>& wa
 /// appends a value, of which the first line is indented already.
 /// \param width  up to which it is written on one line
 void append_pretty(std::string& out, const Json& json, std::size_t indent, std::size_t width) {
-  const std::string line = json.dump();
+  const std::string line = json_text(json);
   if (!json.is_structured() || json.empty() || indent + line.size() <= width) {
     out += line;
     return;
@@ -50,7 +52,7 @@ void append_pretty(std::string& out, const Json& json, std::size_t indent, std::
     out += separator;
     out.append(indent + 2, ' ');
     if (json.is_object())
-      out.append(Json(key).dump()).append(": ");
+      out.append(json_text(Json(key))).append(": ");
     constexpr std::size_t width_of_member = 120, width_of_element = 400; // an element of a list is best on one line
     append_pretty(out, value, indent + 2, json.is_object() ? width_of_member : width_of_element);
     separator = ",\n";

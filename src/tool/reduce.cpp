@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../io/json_text.h"
 #include "Progress_bar.h"
 #include "surface_commands.h"
 
@@ -85,7 +86,7 @@ int reduce(const Reduce_options& options) {
   result.extraction.patches = std::move(reduction.faces);
   outputs.write(result);
   if (options.json)
-    fmt::print("{}\n", to_json(reduction, faces).dump(2));
+    fmt::print("{}\n", json_text(to_json(reduction, faces), 2));
   else if (!options.quiet)
     print(reduction, faces, options.number_of_faces);
   return success;

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../io/json_text.h"
 #include "Input.h"
 #include "Progress_bar.h"
 #include "commands.h"
@@ -37,7 +38,7 @@ Extremal_mesh mesh_at(const Scale_space_command_options& options, double sigma) 
   Progress_bar bar("lines", options.quiet);
   how.progress = bar.progress();
   Extremal_mesh mesh = extract_extremal_mesh(*input.function, input.lattice, how).mesh;
-  mesh.set_provenance(input.source, input.parameters.dump(), input.frame);
+  mesh.set_provenance(input.source, json_text(input.parameters), input.frame);
   return mesh;
 }
 

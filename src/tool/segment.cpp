@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../io/json_text.h"
 #include "Progress_bar.h"
 #include "surface_commands.h"
 
@@ -108,7 +109,7 @@ int segment(const Segment_options& options) {
   outputs.write(result);
   segmentation.faces = std::move(result.extraction.patches);
   if (options.json)
-    fmt::print("{}\n", to_json(segmentation, result.extraction.mesh).dump(2));
+    fmt::print("{}\n", json_text(to_json(segmentation, result.extraction.mesh), 2));
   else if (!options.quiet)
     print(segmentation);
   return success;

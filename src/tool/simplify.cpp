@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../io/json_text.h"
 #include "Outputs.h"
 #include "Progress_bar.h"
 #include "commands.h"
@@ -101,7 +102,7 @@ std::string level_json(const Simplification& simplification, std::size_t level, 
                    {"at_gap", simplification.level_at_gap()},
                    {"last_step", json_of_step(simplification, level - 1)},
                    {"next_step", json_of_step(simplification, level)}};
-  return json.dump(2);
+  return json_text(json, 2);
 }
 
 } // namespace

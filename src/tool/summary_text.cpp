@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "summary_text.h"
 
+#include "../io/json_text.h"
+
 #include <CGAL/Extremal_mesh_3/summary.h>
 
 #include <fmt/format.h>
@@ -154,7 +156,7 @@ std::string report_json(const Result& result) {
     json["repairs"] = json_of(*result.repairs);
   if (result.fit)
     json["fit"] = json_of(*result.fit);
-  return json.dump(2);
+  return json_text(json, 2);
 }
 
 std::string checks_text(const std::vector<Check>& checks) {

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The Extremal_mesh_3 authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../io/json_text.h"
 #include "Outputs.h"
 #include "Progress_bar.h"
 #include "commands.h"
@@ -20,7 +21,7 @@ int write_outputs(const View_command_options& options, const Outputs& outputs) {
   result.extraction.patches = read_patches_of(options.patches, result.extraction.mesh, options.file);
   outputs.write(result);
   if (options.json)
-    fmt::print("{}\n", Json{{"files", options.outputs}}.dump());
+    fmt::print("{}\n", json_text(Json{{"files", options.outputs}}));
   else if (!options.quiet)
     for (const std::string& file : options.outputs)
       fmt::print("{}\n", file);
