@@ -5,7 +5,8 @@
 #   scripts/coverage.sh [CTEST_OPTION…]       the default is all tests
 #
 # Counts which lines of include/ and src/ the tests run (preset coverage). Prints them file by file; build/coverage/report/index.html
-# shows them. The exit code is 1 if a test fails.
+# shows them. Counters are not atomic, which would make threads wait for each other at every line: counts of lines that several threads run may
+# be too low, but none of them is lost. The exit code is 1 if a test fails.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/dependencies.sh
