@@ -19,9 +19,14 @@ export class Pace {
     this.timer = 0;
   }
 
+  /** whether all of it takes longer than a frame may. */
+  get slow() {
+    return this.whole > budget;
+  }
+
   /** whether less than all is drawn: a coarser surface, and the strongest lines, `share` of all. */
   get reduced() {
-    return this.moving && this.whole > budget;
+    return this.moving && this.slow;
   }
 
   /** the camera has moved. */

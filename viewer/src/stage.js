@@ -75,6 +75,7 @@ export class Stage {
     requestAnimationFrame(() => {
       this.wanted = false;
       const { reduced } = this.pace, start = performance.now();
+      this.controls.enableDamping = !this.pace.slow; // it takes a number of frames, which would be seconds
       this.controls.update();
       this.render(reduced ? this.pace.share : undefined);
       this.whenDrawn(() => {
