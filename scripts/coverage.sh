@@ -6,7 +6,7 @@
 #
 # Counts which lines of include/ and src/ the tests run (preset coverage). Prints them file by file; build/coverage/report/index.html
 # shows them. Counters are not atomic, which would make threads wait for each other at every line: counts of lines that several threads run may
-# be too low, but none of them is lost. The exit code is 1 if a test fails.
+# be too low, but no line that was run counts as not run. The exit code is 1 if a test fails.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/dependencies.sh

@@ -52,7 +52,7 @@ bool has_mark(const fs::path& file) {
   return in.read(bytes, sizeof bytes) && std::memcmp(bytes + preamble, "DICM", 4) == 0;
 }
 
-/// Where the elements of a file end, as far as their lengths are told: GDCM ends the program where a file ends within one.
+/// Where the elements of a file end, as far as their lengths are told: that a file ends within one is told of it, whatever GDCM does then.
 class Elements {
 public:
   explicit Elements(const fs::path& file) : in_(file, std::ios::binary), size_(fs::file_size(file)) {
@@ -140,7 +140,6 @@ itk::GDCMImageIO::Pointer open(const std::string& file) {
   return io;
 }
 
-/// \param bytes  that an attempt may take beside those of the file
 /// Keeps GDCM from printing what is told by exceptions, as long as it lives.
 class Quiet_gdcm {
 public:
@@ -159,6 +158,7 @@ private:
   bool warns_, tells_errors_;
 };
 
+/// \param bytes  that an attempt may take beside those of the file
 /// \throws std::runtime_error if an attempt at a slice ends a process
 void try_in_child(const std::vector<std::string>& files, std::size_t bytes,
                   const std::function<void(const std::string&)>& attempt) {

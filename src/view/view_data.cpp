@@ -289,7 +289,7 @@ std::string view_data(const Extremal_mesh& mesh, const Cell_patches& patches, co
   json["cells"] = cells_json(mesh, options.colouring);
   json["levels"] = levels_json(mesh, levels, options.colouring);
   json["surface"] = surface_json(patches, center);
-  std::string text = json_text(json); // a file's name need not be UTF-8
+  std::string text = json_text(json);
   for (std::size_t i = text.find('<'); i != text.npos; i = text.find('<', i))
     text.replace(i, 1, "\\u003c");
   return text;
