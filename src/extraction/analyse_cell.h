@@ -32,6 +32,7 @@ struct Cell_analysis {
   int winding_P = 0, winding_Q = 0; ///< of P and Q around the border: a multiple of a full turn
   std::optional<Sample> sample;     ///< the vertex in the cell, or its middle
   std::int8_t joined = 0;           ///< as in `Refined_cell`
+  Side_pair halved_between;         ///< as in `Refined_cell`
   std::vector<Edge_cut> cuts;       ///< cut these edges, then ask again; nothing else is told
 };
 
