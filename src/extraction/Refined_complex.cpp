@@ -11,6 +11,7 @@
 #include "../differential/vector.h"
 #include "analyse_cell.h"
 #include "nudge.h"
+#include "plain_cell.h"
 
 #include <algorithm>
 #include <cmath>
@@ -251,27 +252,28 @@ void Refined_complex::add_child(std::uint32_t cell, std::vector<Half_edge> sides
 
 void Refined_complex::analyse(const std::vector<std::uint32_t>& all, bool may_divide, std::vector<Edge_cut>* cuts) {
   Thread_pool pool(options_.threads);
-  // In most cells nothing happens: what is found out about the others takes far less memory.
-  enum class Known : char { no, empty, as_before };
+  // Most cells are plain: what is found out about the others takes far less memory.
+  enum class Known : char { no, empty, crossed, as_before };
   std::vector<Known> known(all.size(), Known::no);
   pool.for_each(all.size(), 256, [&](std::size_t i) {
     const Refined_cell& cell = cells_[all[i]];
     if (cuts && still_holds(*this, cell))
       known[i] = Known::as_before;
-    else if (is_plainly_empty(*this, cell))
-      known[i] = Known::empty;
+    else if (const auto crossings = crossings_of_plain_cell(*this, cell))
+      known[i] = *crossings == 0 ? Known::empty : Known::crossed;
   });
   std::vector<std::uint32_t> cells;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (known[i] == Known::no)
       cells.push_back(all[i]);
-    if (known[i] != Known::empty)
+    if (known[i] == Known::no || known[i] == Known::as_before)
       continue;
     Refined_cell& cell = cells_[all[i]];
     cell.content = Content::lines;
     cell.certain = true;
     cell.waits = false;
-    cell.crossings = 0;
+    cell.crossings = known[i] == Known::empty ? 0 : 2;
+    cell.joined = 0;
     cell.winding_P = cell.winding_Q = 0;
   }
   std::vector<Cell_analysis> found(cells.size());

@@ -332,22 +332,6 @@ bool still_holds(const Refined_complex& complex, const Refined_cell& cell) {
          winding_of_Q(complex, border) == cell.winding_Q;
 }
 
-bool is_plainly_empty(const Refined_complex& complex, const Refined_cell& cell) {
-  constexpr double little = 1.5, far = 0.3;
-  constexpr double nearly_flat = 0.9; // with normals that near, transport around the cell turns by less than ½
-  const Vector& normal = complex.samples()[complex.source(cell.sides[0])].shape.n;
-  double turn = 0, gap = pi;
-  const bool quiet = complex.visit_border(cell, [&](Half_edge h) {
-    const Refined_edge& e = complex.edges()[h / 2];
-    const Sample& s = complex.samples()[complex.source(h)];
-    turn += 2 * std::abs(e.turn_P) + std::abs(e.turn_Q);
-    gap = std::min(gap, std::abs(s.phase - pi * std::round(s.phase / pi)));
-    const bool crossed = e.winding != 0 || complex.samples()[e.a].positive != complex.samples()[e.b].positive;
-    return !crossed && turn < little && dot(s.shape.n, normal) > nearly_flat;
-  });
-  return quiet && (gap > far || (complex.surface().interpolates() && gap > turn));
-}
-
 Border_crossings border_crossings(const Refined_complex& complex, const std::vector<Half_edge>& border) {
   Border_crossings met;
   // The half-turn [π·m, π·(m + 1)) in which the lifted phase lies.
@@ -437,7 +421,8 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
 
   // Where the surface cannot be reached there is nothing to be found out by dividing.
   if (middle.exact && (no_vertex ? may_divide_lines : may_divide)) {
-    if (!complex.surface().interpolates())
+    // Beside a vertex the middle, which keeps off zeros, serves better than a line that may run through one.
+    if (wP == 0 && wQ == 0 && !complex.surface().interpolates())
       if (const auto between = halving_of(complex, cell, middle, flat)) {
         result.halved_between = *between;
         return result;
