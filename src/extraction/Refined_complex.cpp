@@ -46,8 +46,11 @@ Sample middle_of(const Surface& surface, const Sample& a, const Sample& b) {
 
 Refined_complex::Refined_complex(const Surface& surface, const Cell_complex& cells, std::vector<Sample> samples,
                                  const std::vector<char>& degenerate, const Extraction_options& options)
-    : surface_(surface), options_(options), samples_(std::move(samples)), edges_(cells.edges.size()),
-      cells_(cells.number_of_cells()) {
+    : surface_(surface), options_(options), samples_(std::move(samples)) {
+  edges_.reserve(room_for(cells.edges.size()));
+  edges_.resize(cells.edges.size());
+  cells_.reserve(room_for(cells.number_of_cells()));
+  cells_.resize(cells.number_of_cells());
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     edges_[e].a = cells.edges[e][0];
     edges_[e].b = cells.edges[e][1];

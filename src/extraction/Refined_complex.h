@@ -77,6 +77,9 @@ public:
   Refined_complex(const Surface& surface, const Cell_complex& cells, std::vector<Sample> samples,
                   const std::vector<char>& degenerate, const Extraction_options& options);
 
+  /// for how many elements to take memory where there are n to begin with: mostly few are added, and to move all of them costs more.
+  static std::size_t room_for(std::size_t n) { return n + n / 8; }
+
   /// divides edges and cells until all are decided.
   void refine();
 

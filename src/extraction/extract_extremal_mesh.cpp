@@ -72,7 +72,9 @@ void nudge_corners(const Surface& surface, const Cell_complex& cells, std::vecto
 /// the samples at points that lie on a surface already.
 std::vector<Sample> sample_corners(const Implicit_surface& surface, const Cell_complex& cells, Thread_pool& pool) {
   const std::size_t n = cells.points.size();
-  std::vector<Sample> samples(n);
+  std::vector<Sample> samples;
+  samples.reserve(Refined_complex::room_for(n));
+  samples.resize(n);
   pool.for_each(n, 64, [&](std::size_t i) { samples[i] = surface.sample_at(cells.points[i]); });
   for (std::size_t i = 0; i < n; ++i)
     if (!std::isfinite(samples[i].phase))

@@ -15,10 +15,12 @@
 namespace {
 
 constexpr std::size_t huge_page = std::size_t(1) << 21;
+/// Smaller ones would take much more than was asked for, as they begin and end at huge pages.
+constexpr std::size_t least_size = 8 * huge_page;
 
 /// \return null if there is no memory
 void* block(std::size_t size) {
-  if (size < 2 * huge_page || size > SIZE_MAX - huge_page)
+  if (size < least_size || size > SIZE_MAX - huge_page)
     return std::malloc(size != 0 ? size : 1);
   const std::size_t whole = (size + huge_page - 1) / huge_page * huge_page;
   void* const p = std::aligned_alloc(huge_page, whole);
