@@ -186,6 +186,7 @@ void Refined_complex::divide_cells(const std::vector<std::uint32_t>& ids) {
   sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
   const std::size_t first_edge = edges_.size();
   std::vector<Edge_cut> cuts;
+  cuts.reserve(sides.size());
   for (const std::uint32_t side : sides)
     cuts.push_back({side, 0.5});
   divide_edges(cuts);

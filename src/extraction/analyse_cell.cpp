@@ -402,6 +402,7 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
       return locate_zero(complex.surface(), field, middle, field == Field::P ? judged.P_zero : judged.Q_zero, size,
                          2 * size);
     std::vector<const Sample*> around;
+    around.reserve(border.size());
     for (const Half_edge h : border)
       around.push_back(&complex.samples()[complex.source(h)]);
     return locate_zero_between(complex.surface(), field, around, middle);

@@ -45,7 +45,7 @@ struct Border {
   std::array<double, most_samples> turn;
   int crossings = 0;
 
-  /// \return whether the border is short, flat and crossed at most twice
+  /// \return whether the border is short, flat and crossed twice or not at all
   bool gather(const Refined_complex& complex, const Refined_cell& cell) {
     const Vector& normal = complex.samples()[complex.source(cell.sides[0])].shape.n;
     double turn_P = 0, turn_Q = 0;
@@ -64,7 +64,7 @@ struct Border {
       ++n;
       return true;
     });
-    return few && crossings <= 2 && turn_P < pi && turn_Q < pi; // then P and Q do not wind around 0
+    return few && (crossings == 0 || crossings == 2) && turn_P < pi && turn_Q < pi; // then P and Q do not wind around 0
   }
 
   /// How the phase changes along the sides, against what its gradients say.
@@ -72,9 +72,9 @@ struct Border {
     Vector mean{};         ///< of the gradients
     double greatest = 0;   ///< of them
     double difference = 0; ///< the greatest from their mean
-    double error = 0;      ///< the greatest of what a side changes by, in parts of `greatest` times its length
-    double bend = 0;       ///< how far, at most, a side changes further because its gradients differ
-    double off = 0;        ///< the greatest error
+    double off = 0;        ///< the greatest difference of the turn along a side from what the gradients say
+    double error = 0;      ///< the same, in parts of `greatest` times the length of the side
+    double bend = 0;       ///< the greatest difference of the gradients at the ends of a side, times its length
     double gap = pi;       ///< from the nearest level
   };
   Linearity linearity() const {
@@ -121,9 +121,9 @@ std::optional<int> crossings_of_plain_cell(const Refined_complex& complex, const
   Border border;
   if (complex.surface().interpolates() || !border.gather(complex, cell))
     return std::nullopt;
-  constexpr double alike = 0.5, least_error = 0.15;
+  constexpr double alike = 0.5, greatest_error = 0.15;
   const Border::Linearity l = border.linearity();
-  if (!(l.error < least_error))
+  if (!std::isfinite(norm(l.mean)) || !(l.error < greatest_error)) // P or Q is 0 at a sample
     return std::nullopt;
   if (border.crossings == 0 && l.gap > 0.5 * l.bend + 3 * l.off)
     return 0;

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace CGAL::Extremal_mesh_3 {
 
@@ -44,9 +45,29 @@ bool within(const Limits& limits, const Jet& jet, double gain, int growths) {
 
 } // namespace
 
+/// tells whether a vertex lies in the middle of a long chain along the sides of large polygons, of which no growing makes a surface.
+bool Jet_fitter::lies_on_chain(std::uint32_t vertex) const {
+  constexpr int steps = 10;
+  if (adjacency_[vertex].size() > 2)
+    return false;
+  for (const std::uint32_t first : adjacency_[vertex]) {
+    std::uint32_t before = vertex, here = first;
+    for (int i = 0; i < steps; ++i) {
+      const auto neighbours = adjacency_[here];
+      if (neighbours.size() > 2)
+        return false;
+      if (neighbours.size() < 2)
+        break;
+      before = std::exchange(here, neighbours[neighbours[0] == before ? 1 : 0]);
+    }
+  }
+  return true;
+}
+
 void Jet_fitter::add(Task task, Vertex_shapes& result) {
-  while (!gather(task))
-    if (!grow(task)) {
+  const bool hopeless = lies_on_chain(task.vertex);
+  while (hopeless || !gather(task))
+    if (hopeless || !grow(task)) {
       Fit_quality q;
       q.state = Fit_state::too_few_points;
       q.points = std::uint32_t(task.points);

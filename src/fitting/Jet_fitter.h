@@ -58,6 +58,7 @@ private:
 
   void add(Task task, Vertex_shapes& result);
   bool gather(Task& task);
+  bool lies_on_chain(std::uint32_t vertex) const;
   bool grow(Task& task);
   bool begin_again(Task& task);
   void fit_batch(Vertex_shapes& result);
