@@ -12,6 +12,9 @@
 
 #include <algorithm>
 #include <csignal>
+#include <fstream>
+#include <limits>
+#include <string>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -443,6 +446,15 @@ TEST_F(Tool, bad_graphs_exit_with_1) {
   }
 }
 
+/// tells whether a process has a handler for SIGINT, which it installs some time after it started.
+bool handles_interrupts(::pid_t process) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string name; status >> name; status.ignore(std::numeric_limits<std::streamsize>::max(), '\n'))
+    if (unsigned long long caught = 0; name == "SigCgt:" && status >> std::hex >> caught)
+      return (caught >> (SIGINT - 1) & 1U) != 0;
+  return false;
+}
+
 TEST_F(Tool, an_interrupt_leaves_no_file) {
   const ::pid_t child = ::fork();
   if (child == 0) {
@@ -453,7 +465,9 @@ TEST_F(Tool, an_interrupt_leaves_no_file) {
             "-o", "out.graphml", static_cast<char*>(nullptr));
     ::_exit(99);
   }
-  ::usleep(500'000);
+  for (int i = 0; i < 600 && !handles_interrupts(child); ++i)
+    ::usleep(100'000);
+  ::usleep(300'000);
   ASSERT_EQ(::kill(child, SIGINT), 0);
   int status = 0;
   ASSERT_EQ(::waitpid(child, &status, 0), child);
