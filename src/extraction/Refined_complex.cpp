@@ -11,7 +11,6 @@
 #include "../differential/vector.h"
 #include "analyse_cell.h"
 #include "nudge.h"
-#include "plain_cell.h"
 
 #include <algorithm>
 #include <cmath>
@@ -174,14 +173,12 @@ void Refined_complex::cut_edges(std::vector<Edge_cut> cuts) {
 }
 
 void Refined_complex::divide_cells(const std::vector<std::uint32_t>& ids) {
-  std::vector<std::uint32_t> sides; // that get a middle
-  for (const std::uint32_t c : ids) {
-    const Side_pair& between = cells_[c].halved_between;
-    for (std::size_t i = 0; i < cells_[c].sides.size(); ++i)
-      if (const std::uint32_t e = cells_[c].sides[i] / 2;
-          !edges_[e].divided() && (between.none() || i == between.i || i == between.j))
-        sides.push_back(e);
-  }
+  // Every side gets a middle …
+  std::vector<std::uint32_t> sides;
+  for (const std::uint32_t c : ids)
+    for (const Half_edge h : cells_[c].sides)
+      if (!edges_[h / 2].divided())
+        sides.push_back(h / 2);
   std::sort(sides.begin(), sides.end());
   sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
   const std::size_t first_edge = edges_.size();
@@ -190,94 +187,60 @@ void Refined_complex::divide_cells(const std::vector<std::uint32_t>& ids) {
   for (const std::uint32_t side : sides)
     cuts.push_back({side, 0.5});
   divide_edges(cuts);
-  for (const std::uint32_t c : ids)
-    if (cells_[c].halved_between.none())
-      quarter(c);
-    else
-      halve(c);
+
+  // … and is joined from there with the middle of the cell, which leaves a quadrilateral around each corner.
+  for (const std::uint32_t c : ids) {
+    const std::vector<Half_edge> around = cells_[c].sides;
+    const std::uint32_t center = cells_[c].center, n = std::uint32_t(around.size());
+    const std::uint32_t first_spoke = std::uint32_t(edges_.size()), first_child = std::uint32_t(cells_.size());
+    cells_[c].divided = true;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      Refined_edge spoke; // from the middle of side i to the centre
+      spoke.a = target(half(around[i], 0));
+      spoke.b = center;
+      spoke.level = std::uint8_t(cells_[c].level + 1);
+      spoke.cell = {first_child + i, first_child + (i + 1) % n};
+      edges_.push_back(spoke);
+    }
+    for (std::uint32_t i = 0; i < n; ++i) {
+      // Around the corner at which side i begins.
+      const std::uint32_t before = (i + n - 1) % n;
+      Refined_cell child;
+      child.sides = {half(around[before], 1), half(around[i], 0), 2 * (first_spoke + i),
+                     2 * (first_spoke + before) + 1};
+      child.level = std::uint8_t(cells_[c].level + 1);
+      own(child.sides[0], first_child + i);
+      own(child.sides[1], first_child + i);
+      cells_.push_back(std::move(child));
+      touched_.push_back(first_child + i);
+    }
+  }
   settle_edges(first_edge);
-}
-
-/// joins the middle of every side with the middle of the cell, which leaves a quadrilateral around each corner.
-void Refined_complex::quarter(std::uint32_t c) {
-  const std::vector<Half_edge> around = cells_[c].sides;
-  const std::uint32_t n = std::uint32_t(around.size()), first_spoke = std::uint32_t(edges_.size()),
-                      first_child = std::uint32_t(cells_.size());
-  for (std::uint32_t i = 0; i < n; ++i) {
-    Refined_edge spoke; // from the middle of side i to the centre
-    spoke.a = middle_sample(around[i]);
-    spoke.b = cells_[c].center;
-    spoke.level = std::uint8_t(cells_[c].level + 1);
-    spoke.cell = {first_child + i, first_child + (i + 1) % n};
-    edges_.push_back(spoke);
-  }
-  for (std::uint32_t i = 0; i < n; ++i) { // around the corner at which side i begins
-    const std::uint32_t before = (i + n - 1) % n;
-    add_child(c, {half(around[before], 1), half(around[i], 0), 2 * (first_spoke + i), 2 * (first_spoke + before) + 1});
-  }
-}
-
-/// joins the middles of two sides.
-void Refined_complex::halve(std::uint32_t c) {
-  const std::vector<Half_edge> around = cells_[c].sides;
-  const std::size_t n = around.size(), i = cells_[c].halved_between.i, j = cells_[c].halved_between.j;
-  const std::uint32_t id = std::uint32_t(edges_.size()), first_child = std::uint32_t(cells_.size());
-  Refined_edge line; // from the middle of side i to that of side j
-  line.a = middle_sample(around[i]);
-  line.b = middle_sample(around[j]);
-  line.level = std::uint8_t(cells_[c].level + 1);
-  line.cell = {first_child + 1, first_child};
-  edges_.push_back(line);
-  const auto part = [&](std::size_t from, std::size_t to, Half_edge back) {
-    std::vector<Half_edge> sides{half(around[from], 1)};
-    for (std::size_t k = (from + 1) % n; k != to; k = (k + 1) % n)
-      sides.push_back(around[k]);
-    sides.push_back(half(around[to], 0));
-    sides.push_back(back);
-    return sides;
-  };
-  add_child(c, part(i, j, 2 * id + 1));
-  add_child(c, part(j, i, 2 * id));
-}
-
-void Refined_complex::add_child(std::uint32_t cell, std::vector<Half_edge> sides) {
-  const std::uint32_t id = std::uint32_t(cells_.size());
-  cells_[cell].divided = true;
-  const bool halves = !cells_[cell].halved_between.none();
-  Refined_cell child;
-  child.level = std::uint8_t(cells_[cell].level + (halves && !cells_[cell].half_level ? 0 : 1));
-  child.half_level = halves != cells_[cell].half_level;
-  for (const Half_edge side : sides)
-    own(side, id);
-  child.sides = std::move(sides);
-  cells_.push_back(std::move(child));
-  touched_.push_back(id);
 }
 
 void Refined_complex::analyse(const std::vector<std::uint32_t>& all, bool may_divide, std::vector<Edge_cut>* cuts) {
   Thread_pool pool(options_.threads);
-  // Most cells are plain: what is found out about the others takes far less memory.
-  enum class Known : char { no, empty, crossed, as_before };
+  // In most cells nothing happens: what is found out about the others takes far less memory.
+  enum class Known : char { no, empty, as_before };
   std::vector<Known> known(all.size(), Known::no);
   pool.for_each(all.size(), 256, [&](std::size_t i) {
     const Refined_cell& cell = cells_[all[i]];
     if (cuts && still_holds(*this, cell))
       known[i] = Known::as_before;
-    else if (const auto crossings = crossings_of_plain_cell(*this, cell))
-      known[i] = *crossings == 0 ? Known::empty : Known::crossed;
+    else if (is_plainly_empty(*this, cell))
+      known[i] = Known::empty;
   });
   std::vector<std::uint32_t> cells;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (known[i] == Known::no)
       cells.push_back(all[i]);
-    if (known[i] == Known::no || known[i] == Known::as_before)
+    if (known[i] != Known::empty)
       continue;
     Refined_cell& cell = cells_[all[i]];
     cell.content = Content::lines;
     cell.certain = true;
     cell.waits = false;
-    cell.crossings = known[i] == Known::empty ? 0 : 2;
-    cell.joined = 0;
+    cell.crossings = 0;
     cell.winding_P = cell.winding_Q = 0;
   }
   std::vector<Cell_analysis> found(cells.size());
@@ -295,7 +258,6 @@ void Refined_complex::analyse(const std::vector<std::uint32_t>& all, bool may_di
     cell.winding_Q = std::int8_t(std::clamp(found[i].winding_Q, -100, 100));
     cell.joined = found[i].joined;
     cell.crossings = std::uint8_t(std::min<std::size_t>(found[i].crossings, 255));
-    cell.halved_between = found[i].halved_between;
     if (found[i].sample) {
       cell.center = std::uint32_t(samples_.size());
       samples_.push_back(*found[i].sample);
