@@ -45,7 +45,8 @@ bool within(const Limits& limits, const Jet& jet, double gain, int growths) {
 
 } // namespace
 
-/// tells whether a vertex lies in the middle of a long chain along the sides of large polygons, of which no growing makes a surface.
+/// tells whether a vertex and those along the sides of its polygon, on both hands, have no other neighbours: all that is near lies on a
+/// curve, and to grow until it does not may take the whole of a large polygon.
 bool Jet_fitter::lies_on_chain(std::uint32_t vertex) const {
   constexpr int steps = 10;
   if (adjacency_[vertex].size() > 2)
@@ -65,16 +66,20 @@ bool Jet_fitter::lies_on_chain(std::uint32_t vertex) const {
 }
 
 void Jet_fitter::add(Task task, Vertex_shapes& result) {
-  const bool hopeless = lies_on_chain(task.vertex);
-  while (hopeless || !gather(task))
-    if (hopeless || !grow(task)) {
-      Fit_quality q;
-      q.state = Fit_state::too_few_points;
-      q.points = std::uint32_t(task.points);
-      q.radius = task.extent.radius;
-      result.quality[task.entry] = q;
-      return;
-    }
+  const auto gather_enough = [&] {
+    while (!gather(task))
+      if (!grow(task))
+        return false;
+    return true;
+  };
+  if (lies_on_chain(task.vertex) || !gather_enough()) {
+    Fit_quality q;
+    q.state = Fit_state::too_few_points;
+    q.points = std::uint32_t(task.points);
+    q.radius = task.extent.radius;
+    result.quality[task.entry] = q;
+    return;
+  }
   tasks_[batch_.size() - 1] = task;
   if (batch_.full())
     fit_batch(result);

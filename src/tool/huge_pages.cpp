@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Large blocks of memory on huge pages. A volume and the cells of its surface take hundreds of megabytes, and the system gives them
-// page by page, at the first touch of each: with pages of 4 kB that took a fifth of the program's time. A program may choose
-// so for itself, a library must not.
+// page by page, at the first touch of each: a volume of 256³ took 133 thousand pages of 4 kB, and takes 39 thousand faults this way. A program
+// may choose so for itself, a library must not.
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
 #include <cstdint>

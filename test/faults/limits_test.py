@@ -68,9 +68,10 @@ refused("triangles.stl", bytes(80) + struct.pack("<I", 0xFFFFFFFF) + bytes(50))
 refused("edges.om", b"OMT" + struct.pack("<BIII", 2 << 5, 0xFFFFFFFF, 0xFFFFFFFF, 0xFFFFFFFF) + bytes(64))
 n = 1_000_000
 refused("polygon.off", f"OFF\n{n} 1 0\n" + "".join(f"{i % 1000} {i // 1000} {i % 7}\n" for i in range(n)) + f"{n} " + " ".join(map(str, range(n))))
-turns = [2 * math.pi * i / n for i in range(n)]
-refused("round_polygon.off", f"OFF\n{n} 1 0\n" + "".join(f"{math.cos(t):.9f} {math.sin(t):.9f} 0\n" for t in turns) + f"{n} " + " ".join(map(str, range(n))),
-        expect="no jet")
+half = n // 2
+turns = [2 * math.pi * i / half for i in range(half)]
+refused("round_polygon.off", f"OFF\n{half} 1 0\n" + "".join(f"{math.cos(t):.9f} {math.sin(t):.9f} 0\n" for t in turns) + f"{half} " +
+        " ".join(map(str, range(half))), expect="no jet")
 refused("polygon_twice.off", f"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n{n} " + "0 1 2 " * (n // 3) + "0")
 # Images.
 refused("size.nrrd", nrrd(2_000_000, bytes(100), "raw"), "--iso", "1")
