@@ -5,10 +5,13 @@
 #ifndef EXTREMAL_MESH_3_SRC_CELLS_PARALLEL_H
 #define EXTREMAL_MESH_3_SRC_CELLS_PARALLEL_H
 
+#ifdef __SANITIZE_THREAD__
+#include "parallel_without_tbb.h"
+#else
 #include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
+#endif
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -25,15 +28,26 @@ public:
   /// \throws std::invalid_argument if `threads` is negative
   explicit Thread_pool(int threads) : arena_(threads == 0 ? tbb::task_arena::automatic : checked(threads)) {}
 
-  /// calls body(i) for i in [0, n), in any order. Element i may write only what is its own.
-  template <class Body> void for_each(std::size_t n, std::size_t grain, const Body& body) {
+  /// calls body(begin, end) for parts of [0, n) that cover it, of `grain` elements at least but for what is left over, in any order. A part
+  /// may write only what is its own. What a body throws ends the loop, and is thrown again.
+  template <class Body> void for_ranges(std::size_t n, std::size_t grain, const Body& body) {
     if (n == 0)
       return;
+#ifdef __SANITIZE_THREAD__
+    for_ranges_without_tbb(arena_.max_concurrency(), n, grain, body);
+#else
     arena_.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i)
-          body(i);
-      });
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
+                        [&](const auto& range) { body(range.begin(), range.end()); });
+    });
+#endif
+  }
+
+  /// calls body(i) for i in [0, n), in any order. Element i may write only what is its own.
+  template <class Body> void for_each(std::size_t n, std::size_t grain, const Body& body) {
+    for_ranges(n, grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i != end; ++i)
+        body(i);
     });
   }
 

@@ -148,7 +148,7 @@ Image_function::Image_function(Image&& image, const Image_function_options& opti
   check_iso(options.iso, image.voxels);
   for (std::size_t a = 0; a < 3; ++a)
     if (sigma < least_sigma_of_nodes * spacing[a] * (1 - rounding))
-      halve_spacing(image, a);
+      halve_spacing(image, a, options.threads);
   spacing = spacing_of(image.lattice);
 
   Implementation& self = *implementation_;

@@ -5,6 +5,7 @@
 // back over the original. All three passes filter several neighbouring results at once, in the lanes of a vector; the
 // sum of each result is always taken in the same order, so that neither threads nor the vector unit can change a bit.
 
+#include "../cells/parallel.h"
 #include "lanes.h"
 #include "smoothing.h"
 
@@ -13,10 +14,6 @@
 #include <algorithm>
 #include <cstring>
 #include <mutex>
-#include <tbb/blocked_range.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 namespace CGAL::Extremal_mesh_3 {
 namespace {
@@ -115,32 +112,26 @@ void convolve(std::span<float> voxels, const std::array<std::size_t, 3>& size,
   const std::size_t strips = (slice_size + strip_width - 1) / strip_width;
   Reporter reporter(progress, nz + strips);
 
-  const auto within_slices = [&, nx = nx, ny = ny](const tbb::blocked_range<std::size_t>& slices) {
+  Thread_pool pool(threads);
+  pool.for_ranges(nz, 1, [&, nx = nx, ny = ny](std::size_t begin, std::size_t end) {
     std::vector<float> buffer;
-    for (std::size_t k = slices.begin(); k < slices.end(); ++k) {
+    for (std::size_t k = begin; k < end; ++k) {
       float* const slice = voxels.data() + k * slice_size;
       for (std::size_t j = 0; j < ny; ++j)
         filter_row(slice + j * nx, nx, kernels[0], buffer);
       for (std::size_t x = 0; x < nx; x += strip_width)
         filter_strip(slice + x, nx, ny, std::min(strip_width, nx - x), kernels[1], buffer);
     }
-    reporter.finished(slices.size());
-  };
-  const auto across_slices = [&, nz = nz](const tbb::blocked_range<std::size_t>& range) {
+    reporter.finished(end - begin);
+  });
+  pool.for_ranges(strips, 8, [&, nz = nz](std::size_t begin, std::size_t end) {
     std::vector<float> buffer;
-    for (std::size_t s = range.begin(); s < range.end(); ++s) {
+    for (std::size_t s = begin; s < end; ++s) {
       const std::size_t first = s * strip_width;
       filter_strip(voxels.data() + first, slice_size, nz, std::min(strip_width, slice_size - first), kernels[2],
                    buffer);
     }
-    reporter.finished(range.size());
-  };
-  // TBB prints a warning when it is asked for more threads than there are.
-  tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic
-                                     : std::min(threads, tbb::info::default_concurrency()));
-  arena.execute([&, nz = nz] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, nz), within_slices);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, strips, 8), across_slices);
+    reporter.finished(end - begin);
   });
 }
 

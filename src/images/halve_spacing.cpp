@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "halve_spacing.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include "../cells/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +27,7 @@ void prefilter(std::vector<double>& c) {
 
 } // namespace
 
-void halve_spacing(Image& image, std::size_t axis) {
+void halve_spacing(Image& image, std::size_t axis, int threads) {
   const auto old_size = image.lattice.size;
   auto size = old_size;
   const std::size_t n = old_size[axis];
@@ -41,9 +40,9 @@ void halve_spacing(Image& image, std::size_t axis) {
   const std::size_t in_stride = stride_in(old_size), out_stride = stride_in(size);
   const std::size_t lines = image.voxels.size() / n;
   constexpr std::size_t margin = 24; // (2 − √3)^24 < 2e-14
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lines, 256), [&](const auto& range) {
+  Thread_pool(threads).for_ranges(lines, 256, [&](std::size_t begin, std::size_t end) {
     std::vector<double> c(n + 2 * margin);
-    for (std::size_t line = range.begin(); line < range.end(); ++line) {
+    for (std::size_t line = begin; line < end; ++line) {
       // Lines are numbered along the axes before this one, then along those after it.
       const std::size_t within = line % in_stride, block = line / in_stride;
       const float* const in = image.voxels.data() + block * in_stride * n + within;

@@ -11,7 +11,8 @@ namespace CGAL::Extremal_mesh_3 {
 
 /// puts a node half way between every two neighbours along an axis, with the value of the cubic spline through the
 /// nodes there; n nodes become 2n − 1. Beyond the ends the spline takes the last values for constant.
-void halve_spacing(Image& image, std::size_t axis);
+/// \param threads 0: as many as there are cores
+void halve_spacing(Image& image, std::size_t axis, int threads);
 
 } // namespace CGAL::Extremal_mesh_3
 
