@@ -3,7 +3,7 @@
 #include "collapse_edges.h"
 #include "surface_mesh.h"
 
-#include "../differential/vector.h"
+#include "../differential/distance_to_segment.h"
 
 #include <CGAL/Extremal_mesh_3/errors.h>
 
@@ -52,13 +52,6 @@ struct Chain {
   std::vector<std::uint32_t> points; ///< of a closed one the first is also the last
   std::vector<std::size_t> previous, next;
 };
-
-double distance_to_segment(const Point& p, const Point& a, const Point& b) {
-  const Vector ab = b - a;
-  const double length2 = dot(ab, ab);
-  const double t = length2 > 0 ? std::clamp(dot(p - a, ab) / length2, 0.0, 1.0) : 0;
-  return distance(p, a + t * ab);
-}
 
 /// the kept edges as chains, in the order of their first points.
 std::vector<Chain> chains_of(const std::vector<std::array<std::uint32_t, 2>>& edges, std::size_t number_of_points) {

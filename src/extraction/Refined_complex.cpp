@@ -8,12 +8,13 @@
 #include "Refined_complex.h"
 
 #include "../cells/parallel.h"
-#include "../differential/vector.h"
+#include "../differential/distance_to_segment.h"
 #include "analyse_cell.h"
 #include "nudge.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -32,14 +33,6 @@ constexpr int extra_edge_levels = 6;
 /// Dividing ends when there are so many cells for each one of the beginning, and so many more. Only a surface on which
 /// E_g is nearly 0 over an area comes near to it.
 constexpr std::size_t most_cells_for_each = 20, most_cells_more = 50'000;
-
-/// the middle of an edge, moved a little where it would lie on a line or beside a zero: then its
-/// phase, and the turns along the edges to it, would be rounding.
-Sample middle_of(const Surface& surface, const Sample& a, const Sample& b) {
-  const Sample middle = sample_between(surface, a, b, 0.5);
-  return nudged(surface, middle, 0.5 * distance(a.p, b.p), std::max(std::abs(a.P), std::abs(b.P)),
-                std::max(std::abs(a.shape.Q), std::abs(b.shape.Q)), {&a, &b});
-}
 
 } // namespace
 
@@ -141,11 +134,15 @@ void Refined_complex::divide_edges(const std::vector<Edge_cut>& cuts) {
   samples_.resize(first_sample + cuts.size());
   edges_.resize(first_edge + 2 * cuts.size());
   pool.for_each(cuts.size(), 32, [&](std::size_t i) {
+    const Refined_edge& edge = edges_[cuts[i].edge];
+    // Who asks for a cut elsewhere than in the middle wants to see what is there, however near to a line.
+    samples_[first_sample + i] = cuts[i].t == 0.5
+                                     ? middle_of(cuts[i].edge)
+                                     : sample_between(surface_, samples_[edge.a], samples_[edge.b], cuts[i].t);
+  });
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
     Refined_edge& edge = edges_[cuts[i].edge];
     const std::uint32_t middle = std::uint32_t(first_sample + i);
-    const Sample &a = samples_[edge.a], &b = samples_[edge.b];
-    // Who asks for a cut elsewhere than in the middle wants to see what is there, however near to a line.
-    samples_[middle] = cuts[i].t == 0.5 ? middle_of(surface_, a, b) : sample_between(surface_, a, b, cuts[i].t);
     edge.child = std::uint32_t(first_edge + 2 * i);
     for (std::uint32_t c = 0; c < 2; ++c) {
       Refined_edge& child = edges_[edge.child + c];
@@ -154,11 +151,31 @@ void Refined_complex::divide_edges(const std::vector<Edge_cut>& cuts) {
       child.cell = edge.cell;
       child.level = std::uint8_t(edge.level + 1);
     }
-  });
-  for (const Edge_cut& cut : cuts)
-    for (const std::uint32_t cell : edges_[cut.edge].cell)
+    for (const std::uint32_t cell : edge.cell)
       if (cell != no_id)
         touched_.push_back(cell);
+  }
+}
+
+/// the middle of an edge, moved a little where it would lie on a line or beside a zero: then its phase, and the turns along
+/// the edges to it, would be rounding.
+Sample Refined_complex::middle_of(std::uint32_t id) const {
+  const Refined_edge& edge = edges_[id];
+  const Sample &a = samples_[edge.a], &b = samples_[edge.b];
+  const Sample middle = sample_between(surface_, a, b, 0.5);
+  const double P = std::max(std::abs(a.P), std::abs(b.P)), Q = std::max(std::abs(a.shape.Q), std::abs(b.shape.Q));
+  if (!should_be_nudged(middle, P * P, Q * Q))
+    return middle;
+  // It must not leave the two cells.
+  double room = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t cell : edge.cell)
+    if (cell != no_id)
+      visit_border(cells_[cell], [&](Half_edge h) {
+        if (h / 2 != id)
+          room = std::min(room, distance_to_segment(middle.p, samples_[source(h)].p, samples_[target(h)].p));
+        return true;
+      });
+  return nudged(surface_, middle, 0.5 * distance(a.p, b.p), room, P, Q, {&a, &b});
 }
 
 /// of the cuts of one edge the first is made.

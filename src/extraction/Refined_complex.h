@@ -103,6 +103,7 @@ private:
   bool should_divide(const Refined_edge& edge) const;
   void settle_edges(std::size_t first);
   void divide_edges(const std::vector<Edge_cut>& cuts);
+  Sample middle_of(std::uint32_t edge) const;
   void cut_edges(std::vector<Edge_cut> cuts);
   void divide_cells(const std::vector<std::uint32_t>& ids);
   /// \param cuts  gets the cuts that cells ask for before they are decided; null: none is made any more

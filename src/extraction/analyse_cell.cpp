@@ -181,6 +181,14 @@ Judgement judge_linearly(const Refined_complex& complex, const std::vector<Half_
   return j;
 }
 
+/// the distance from the middle of a cell, which is narrower than its size where one side was divided more often, to its
+/// border; 0 if the middle is not inside.
+double room_around_middle(const Flat_cell& flat) {
+  const Planar_polygon border(
+      std::vector<Complex>(flat.points.z.begin(), flat.points.z.begin() + std::ptrdiff_t(flat.border)));
+  return border.contains(0) ? border.distance_to_border(0) : 0;
+}
+
 /// the border in the coordinates of a model.
 Planar_polygon polygon_of(const Flat_cell& flat, const Cell_model& model) {
   std::vector<Complex> corners;
@@ -422,7 +430,7 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
       P_around = std::max(P_around, std::abs(flat.P[i]));
       Q_around = std::max(Q_around, std::abs(flat.Q[i]));
     }
-    result.sample = nudged(complex.surface(), middle, size, P_around, Q_around, corners);
+    result.sample = nudged(complex.surface(), middle, size, room_around_middle(flat), P_around, Q_around, corners);
     return result;
   }
 

@@ -6,7 +6,7 @@
 #include "../cells/parallel.h"
 #include "../cells/remove_cells.h"
 #include "../cells/usual_size.h"
-#include "../differential/vector.h"
+#include "../differential/distance_to_segment.h"
 #include "Arrangement.h"
 #include "Implicit_surface.h"
 #include "Interpolated_surface.h"
@@ -21,11 +21,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace CGAL::Extremal_mesh_3 {
 
 namespace {
+
+/// how near the corners that have a number come to other sides of their cells, of which some are slivers.
+std::vector<double> room_around(const Cell_complex& cells, const std::vector<std::uint32_t>& number,
+                                std::size_t numbered) {
+  std::vector<double> room(numbered, std::numeric_limits<double>::infinity());
+  for (std::size_t c = 0; c < cells.number_of_cells(); ++c) {
+    const std::size_t begin = cells.cell_begin[c], sides = cells.cell_begin[c + 1] - begin;
+    const auto corner = [&](std::size_t i) {
+      const Half_edge h = cells.half_edges[begin + i % sides];
+      return cells.edges[h / 2][h % 2];
+    };
+    for (std::size_t i = 0; i < sides; ++i)
+      if (const std::uint32_t k = number[corner(i)]; k != 0)
+        for (std::size_t j = i + 1; j + 1 < i + sides; ++j)
+          room[k - 1] = std::min(room[k - 1], distance_to_segment(cells.points[corner(i)], cells.points[corner(j)],
+                                                                  cells.points[corner(j + 1)]));
+  }
+  return room;
+}
 
 /// moves samples at the corners of the cells a little off lines and zeros.
 void nudge_corners(const Surface& surface, const Cell_complex& cells, std::vector<Sample>& samples, Thread_pool& pool) {
@@ -43,15 +63,7 @@ void nudge_corners(const Surface& surface, const Cell_complex& cells, std::vecto
       around[i].Q = std::max(around[i].Q, std::norm(samples[j].shape.Q));
     }
   }
-  const auto nudge = [&](std::size_t i, const std::vector<const Sample*>& neighbours) {
-    return nudged(surface, samples[i], 0.5 * std::sqrt(around[i].shortest), std::sqrt(around[i].P),
-                  std::sqrt(around[i].Q), neighbours);
-  };
-  if (!surface.interpolates()) {
-    pool.for_each(n, 64, [&](std::size_t i) { samples[i] = nudge(i, {}); });
-    return;
-  }
-  // Few are to be moved; their neighbours stay as they are given.
+  // Few are to be moved.
   std::vector<std::uint32_t> number(n, 0), moved;
   for (std::uint32_t i = 0; i < n; ++i)
     if (should_be_nudged(samples[i], around[i].P, around[i].Q)) {
@@ -63,8 +75,13 @@ void nudge_corners(const Surface& surface, const Cell_complex& cells, std::vecto
     for (const auto& [i, j] : {std::pair{a, b}, std::pair{b, a}})
       if (number[i] != 0)
         neighbours[number[i] - 1].push_back(&samples[j]);
+  const std::vector<double> room = room_around(cells, number, moved.size());
   std::vector<Sample> nudged_samples(moved.size());
-  pool.for_each(moved.size(), 64, [&](std::size_t k) { nudged_samples[k] = nudge(moved[k], neighbours[k]); });
+  pool.for_each(moved.size(), 64, [&](std::size_t k) {
+    const Around& a = around[moved[k]];
+    nudged_samples[k] = nudged(surface, samples[moved[k]], 0.5 * std::sqrt(a.shortest), room[k], std::sqrt(a.P),
+                               std::sqrt(a.Q), neighbours[k]);
+  });
   for (std::size_t k = 0; k < moved.size(); ++k)
     samples[moved[k]] = nudged_samples[k];
 }

@@ -30,7 +30,7 @@ bool should_be_nudged(const Sample& s, double P2_around, double Q2_around) {
          std::norm(s.shape.Q) < small * small * Q2_around;
 }
 
-Sample nudged(const Surface& surface, const Sample& s, double size, double P_around, double Q_around,
+Sample nudged(const Surface& surface, const Sample& s, double size, double room, double P_around, double Q_around,
               const std::vector<const Sample*>& around) {
   constexpr double part = 0.14, golden_angle = 2.399963229728653;
   double best = distance_from_trouble(s, P_around, Q_around);
@@ -52,10 +52,11 @@ Sample nudged(const Surface& surface, const Sample& s, double size, double P_aro
                           {1 - part, 0.6 * part, 0.3 * part, 0.1 * part}));
     return chosen;
   }
+  const double step = std::min(part * size, 0.5 * room);
   for (int i = 0; i < 5 && best < 1; ++i) {
     const double angle = golden_angle * (i + 1);
     const Vector d = std::cos(angle) * s.shape.u + std::sin(angle) * s.shape.v();
-    try_one(surface.sample(s.p + part * size * d, s.shape.n, size));
+    try_one(surface.sample(s.p + step * d, s.shape.n, size));
   }
   return chosen;
 }

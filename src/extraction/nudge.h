@@ -15,9 +15,10 @@ namespace CGAL::Extremal_mesh_3 {
 /// around, of which the squares are given.
 bool should_be_nudged(const Sample& s, double P2_around, double Q2_around);
 
-/// the sample, or one moved within the surface by a small part of `size` if it should be.
+/// the sample, or one moved within the surface if it should be: by a small part of `size`, and by no more than half of `room`,
+/// the distance from what it must not pass.
 /// \param around  samples towards which it may be moved on a surface that interpolates
-Sample nudged(const Surface& surface, const Sample& s, double size, double P_around, double Q_around,
+Sample nudged(const Surface& surface, const Sample& s, double size, double room, double P_around, double Q_around,
               const std::vector<const Sample*>& around);
 
 } // namespace CGAL::Extremal_mesh_3
