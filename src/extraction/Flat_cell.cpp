@@ -10,8 +10,9 @@ namespace CGAL::Extremal_mesh_3 {
 
 namespace {
 
-/// Cells narrower than this get additional samples around their middle.
-constexpr double least_aspect = 0.3;
+/// Cells narrower than this get additional samples around their middle. Where samples have derivatives, models stretch cells to be as
+/// wide as long, and samples beside a narrow cell would only tell of what it was divided to keep away from.
+constexpr double least_aspect = 0.3, least_aspect_with_derivatives = 0.02;
 
 } // namespace
 
@@ -62,7 +63,7 @@ Flat_cell flatten(const Refined_complex& complex, const std::vector<Half_edge>& 
     flat.add(middle, complex.samples()[complex.source(h)]);
   flat.border = border.size();
   flat.add(middle, middle);
-  if (flat.points.aspect() < least_aspect) {
+  if (flat.points.aspect() < (flat.has_derivatives ? least_aspect_with_derivatives : least_aspect)) {
     const double r = 0.5 * flat.points.radius;
     for (const Vector& d : {r * middle.shape.u, r * middle.shape.v(), -r * middle.shape.u, -r * middle.shape.v()})
       if (const auto s = complex.surface().sample(middle.p + d, middle.shape.n, r))

@@ -11,6 +11,7 @@
 #include "../differential/distance_to_segment.h"
 #include "analyse_cell.h"
 #include "nudge.h"
+#include "plain_cell.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,8 +29,9 @@ constexpr double pi = std::numbers::pi;
 constexpr double greatest_turn = 0.6 * pi;
 /// Normals must not turn further along an edge (cos 60°): parallel transport is by the shortest way.
 constexpr double least_normal_cosine = 0.5;
-/// Edges may be divided this many times more than the cells beside them.
-constexpr int extra_edge_levels = 6;
+/// Edges may be divided this many times more than the cells beside them; the second while they are crossed more than once: beside
+/// an umbilic three lines cross within its distance.
+constexpr int extra_edge_levels = 6, extra_levels_to_part_crossings = 12;
 /// Dividing ends when there are so many cells for each one of the beginning, and so many more. Only a surface on which
 /// E_g is nearly 0 over an area comes near to it.
 constexpr std::size_t most_cells_for_each = 20, most_cells_more = 50'000;
@@ -100,18 +102,15 @@ bool Refined_complex::should_divide(const Refined_edge& edge) const {
     if (c != no_id) {
       if (cells_[c].degenerate)
         return false;
-      level = std::max(level, int(cells_[c].level));
+      level = std::max(level, cells_[c].level + int(cells_[c].half_level));
     }
-  if (edge.level >= level + extra_edge_levels)
-    return false;
   const Sample &a = samples_[edge.a], &b = samples_[edge.b];
-  if (dot(a.shape.n, b.shape.n) < least_normal_cosine)
-    return true;
-  if (std::abs(edge.turn_P) > greatest_turn || std::abs(edge.turn_Q) > greatest_turn)
-    return true;
-  // At most one crossing an edge.
   const int from = a.positive ? 0 : -1, to = (b.positive ? 0 : -1) + 2 * edge.winding;
-  return std::abs(to - from) > 1;
+  if (std::abs(to - from) > 1) // at most one crossing an edge
+    return edge.level < level + extra_levels_to_part_crossings;
+  return edge.level < level + extra_edge_levels &&
+         (dot(a.shape.n, b.shape.n) < least_normal_cosine || std::abs(edge.turn_P) > greatest_turn ||
+          std::abs(edge.turn_Q) > greatest_turn);
 }
 
 void Refined_complex::settle_edges(std::size_t first) {
@@ -164,7 +163,8 @@ Sample Refined_complex::middle_of(std::uint32_t id) const {
   const Sample &a = samples_[edge.a], &b = samples_[edge.b];
   const Sample middle = sample_between(surface_, a, b, 0.5);
   const double P = std::max(std::abs(a.P), std::abs(b.P)), Q = std::max(std::abs(a.shape.Q), std::abs(b.shape.Q));
-  if (!should_be_nudged(middle, P * P, Q * Q))
+  const double size = 0.5 * distance(a.p, b.p);
+  if (!should_be_nudged(middle, size, P, Q))
     return middle;
   // It must not leave the two cells.
   double room = std::numeric_limits<double>::infinity();
@@ -175,7 +175,7 @@ Sample Refined_complex::middle_of(std::uint32_t id) const {
           room = std::min(room, distance_to_segment(middle.p, samples_[source(h)].p, samples_[target(h)].p));
         return true;
       });
-  return nudged(surface_, middle, 0.5 * distance(a.p, b.p), room, P, Q, {&a, &b});
+  return nudged(surface_, middle, size, room, P, Q, {&a, &b});
 }
 
 /// of the cuts of one edge the first is made.
@@ -190,12 +190,14 @@ void Refined_complex::cut_edges(std::vector<Edge_cut> cuts) {
 }
 
 void Refined_complex::divide_cells(const std::vector<std::uint32_t>& ids) {
-  // Every side gets a middle …
-  std::vector<std::uint32_t> sides;
-  for (const std::uint32_t c : ids)
-    for (const Half_edge h : cells_[c].sides)
-      if (!edges_[h / 2].divided())
-        sides.push_back(h / 2);
+  std::vector<std::uint32_t> sides; // that get a middle
+  for (const std::uint32_t c : ids) {
+    const Side_pair& between = cells_[c].halved_between;
+    for (std::size_t i = 0; i < cells_[c].sides.size(); ++i)
+      if (const std::uint32_t e = cells_[c].sides[i] / 2;
+          !edges_[e].divided() && (between.none() || i == between.i || i == between.j))
+        sides.push_back(e);
+  }
   std::sort(sides.begin(), sides.end());
   sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
   const std::size_t first_edge = edges_.size();
@@ -204,60 +206,94 @@ void Refined_complex::divide_cells(const std::vector<std::uint32_t>& ids) {
   for (const std::uint32_t side : sides)
     cuts.push_back({side, 0.5});
   divide_edges(cuts);
-
-  // … and is joined from there with the middle of the cell, which leaves a quadrilateral around each corner.
-  for (const std::uint32_t c : ids) {
-    const std::vector<Half_edge> around = cells_[c].sides;
-    const std::uint32_t center = cells_[c].center, n = std::uint32_t(around.size());
-    const std::uint32_t first_spoke = std::uint32_t(edges_.size()), first_child = std::uint32_t(cells_.size());
-    cells_[c].divided = true;
-    for (std::uint32_t i = 0; i < n; ++i) {
-      Refined_edge spoke; // from the middle of side i to the centre
-      spoke.a = target(half(around[i], 0));
-      spoke.b = center;
-      spoke.level = std::uint8_t(cells_[c].level + 1);
-      spoke.cell = {first_child + i, first_child + (i + 1) % n};
-      edges_.push_back(spoke);
-    }
-    for (std::uint32_t i = 0; i < n; ++i) {
-      // Around the corner at which side i begins.
-      const std::uint32_t before = (i + n - 1) % n;
-      Refined_cell child;
-      child.sides = {half(around[before], 1), half(around[i], 0), 2 * (first_spoke + i),
-                     2 * (first_spoke + before) + 1};
-      child.level = std::uint8_t(cells_[c].level + 1);
-      own(child.sides[0], first_child + i);
-      own(child.sides[1], first_child + i);
-      cells_.push_back(std::move(child));
-      touched_.push_back(first_child + i);
-    }
-  }
+  for (const std::uint32_t c : ids)
+    if (cells_[c].halved_between.none())
+      quarter(c);
+    else
+      halve(c);
   settle_edges(first_edge);
+}
+
+/// joins the middle of every side with the middle of the cell, which leaves a quadrilateral around each corner.
+void Refined_complex::quarter(std::uint32_t c) {
+  const std::vector<Half_edge> around = cells_[c].sides;
+  const std::uint32_t n = std::uint32_t(around.size()), first_spoke = std::uint32_t(edges_.size()),
+                      first_child = std::uint32_t(cells_.size());
+  for (std::uint32_t i = 0; i < n; ++i) {
+    Refined_edge spoke; // from the middle of side i to the centre
+    spoke.a = middle_sample(around[i]);
+    spoke.b = cells_[c].center;
+    spoke.level = std::uint8_t(cells_[c].level + 1);
+    spoke.cell = {first_child + i, first_child + (i + 1) % n};
+    edges_.push_back(spoke);
+  }
+  for (std::uint32_t i = 0; i < n; ++i) { // around the corner at which side i begins
+    const std::uint32_t before = (i + n - 1) % n;
+    add_child(c, {half(around[before], 1), half(around[i], 0), 2 * (first_spoke + i), 2 * (first_spoke + before) + 1});
+  }
+}
+
+/// joins the middles of two sides.
+void Refined_complex::halve(std::uint32_t c) {
+  const std::vector<Half_edge> around = cells_[c].sides;
+  const std::size_t n = around.size(), i = cells_[c].halved_between.i, j = cells_[c].halved_between.j;
+  const std::uint32_t id = std::uint32_t(edges_.size()), first_child = std::uint32_t(cells_.size());
+  Refined_edge line; // from the middle of side i to that of side j
+  line.a = middle_sample(around[i]);
+  line.b = middle_sample(around[j]);
+  line.level = std::uint8_t(cells_[c].level + 1);
+  line.cell = {first_child + 1, first_child};
+  edges_.push_back(line);
+  const auto part = [&](std::size_t from, std::size_t to, Half_edge back) {
+    std::vector<Half_edge> sides{half(around[from], 1)};
+    for (std::size_t k = (from + 1) % n; k != to; k = (k + 1) % n)
+      sides.push_back(around[k]);
+    sides.push_back(half(around[to], 0));
+    sides.push_back(back);
+    return sides;
+  };
+  add_child(c, part(i, j, 2 * id + 1));
+  add_child(c, part(j, i, 2 * id));
+}
+
+void Refined_complex::add_child(std::uint32_t cell, std::vector<Half_edge> sides) {
+  const std::uint32_t id = std::uint32_t(cells_.size());
+  cells_[cell].divided = true;
+  const bool halves = !cells_[cell].halved_between.none();
+  Refined_cell child;
+  child.level = std::uint8_t(cells_[cell].level + (halves && !cells_[cell].half_level ? 0 : 1));
+  child.half_level = halves != cells_[cell].half_level;
+  for (const Half_edge side : sides)
+    own(side, id);
+  child.sides = std::move(sides);
+  cells_.push_back(std::move(child));
+  touched_.push_back(id);
 }
 
 void Refined_complex::analyse(const std::vector<std::uint32_t>& all, bool may_divide, std::vector<Edge_cut>* cuts) {
   Thread_pool pool(options_.threads);
-  // In most cells nothing happens: what is found out about the others takes far less memory.
-  enum class Known : char { no, empty, as_before };
+  // Most cells are plain: what is found out about the others takes far less memory.
+  enum class Known : char { no, empty, crossed, as_before };
   std::vector<Known> known(all.size(), Known::no);
   pool.for_each(all.size(), 256, [&](std::size_t i) {
     const Refined_cell& cell = cells_[all[i]];
     if (cuts && still_holds(*this, cell))
       known[i] = Known::as_before;
-    else if (is_plainly_empty(*this, cell))
-      known[i] = Known::empty;
+    else if (const auto crossings = crossings_of_plain_cell(*this, cell))
+      known[i] = *crossings == 0 ? Known::empty : Known::crossed;
   });
   std::vector<std::uint32_t> cells;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (known[i] == Known::no)
       cells.push_back(all[i]);
-    if (known[i] != Known::empty)
+    if (known[i] == Known::no || known[i] == Known::as_before)
       continue;
     Refined_cell& cell = cells_[all[i]];
     cell.content = Content::lines;
     cell.certain = true;
     cell.waits = false;
-    cell.crossings = 0;
+    cell.crossings = known[i] == Known::empty ? 0 : 2;
+    cell.joined = 0;
     cell.winding_P = cell.winding_Q = 0;
   }
   std::vector<Cell_analysis> found(cells.size());
@@ -265,7 +301,7 @@ void Refined_complex::analyse(const std::vector<std::uint32_t>& all, bool may_di
     const Refined_cell& cell = cells_[cells[i]];
     const bool may = may_divide && !cell.degenerate && cell.level < options_.max_level;
     found[i] = analyse_cell(*this, cell, may, may && cell.level < options_.max_line_level,
-                            cuts && !cell.degenerate ? cell.level + extra_edge_levels : 0);
+                            cuts && !cell.degenerate ? cell.level + cell.half_level + extra_edge_levels : 0);
   });
   for (std::size_t i = 0; i < cells.size(); ++i) {
     Refined_cell& cell = cells_[cells[i]];
@@ -275,6 +311,7 @@ void Refined_complex::analyse(const std::vector<std::uint32_t>& all, bool may_di
     cell.winding_Q = std::int8_t(std::clamp(found[i].winding_Q, -100, 100));
     cell.joined = found[i].joined;
     cell.crossings = std::uint8_t(std::min<std::size_t>(found[i].crossings, 255));
+    cell.halved_between = found[i].halved_between;
     if (found[i].sample) {
       cell.center = std::uint32_t(samples_.size());
       samples_.push_back(*found[i].sample);
@@ -313,13 +350,29 @@ void Refined_complex::refine() {
   }
   settle_folds();
 
-  for (const Refined_cell& cell : cells_)
+  for (Refined_cell& cell : cells_)
     if (!cell.divided) {
+      cell.certain = cell.certain && !(cell.crossings > 0 && is_turned_over(cell));
       ++report_.refined_cells;
       ++(cell.certain ? report_.accepted_cells : report_.uncertain_cells);
     }
   for (const Sample& s : samples_)
     report_.interpolated_points += !s.exact;
+}
+
+/// tells whether a part of a cell lies on the surface the other way round, so that other cells lie there too: what was found in each is
+/// right, but not what it comes to. What is interpolated may be folded itself.
+bool Refined_complex::is_turned_over(const Refined_cell& cell) const {
+  if (surface_.interpolates() || (cell.level == 0 && !cell.half_level))
+    return false;
+  const Point& first = samples_[source(cell.sides[0])].p;
+  Vector normal{}, area{};
+  visit_border(cell, [&](Half_edge h) {
+    normal = normal + samples_[source(h)].shape.n;
+    area = area + cross(samples_[source(h)].p - first, samples_[target(h)].p - first);
+    return true;
+  });
+  return dot(area, normal) < 0;
 }
 
 void Refined_complex::settle_folds() {

@@ -46,11 +46,18 @@ enum class Content : std::uint8_t {
   unresolved      ///< a vertex that stays complicated, with everything that crosses the border
 };
 
-/// A cell. Its sides are half-edges of edges that may be divided further. A divided cell has one child per side.
+/// Two sides of a cell, by their places among `Refined_cell::sides`; the same twice: none.
+struct Side_pair {
+  std::uint8_t i = 0, j = 0;
+  bool none() const { return i == j; }
+};
+
+/// A cell. Its sides are half-edges of edges that may be divided further. A divided cell has two children, or one per side.
 struct Refined_cell {
   std::vector<Half_edge> sides;
   std::uint32_t center = no_id; ///< sample at the middle, or at the vertex that the cell holds
   std::uint8_t level = 0;
+  bool half_level = false; ///< halved once more than its level tells
   bool divided = false;
   bool degenerate = false; ///< E_g is 0 up to rounding: what is found here means nothing, and is not looked into
   bool waits = false;      ///< undecided until edges around it are cut
@@ -60,6 +67,7 @@ struct Refined_cell {
   /// where four crossings of one level can be joined in two ways: the sign of E_g on the side that is connected
   std::int8_t joined = 0;
   std::uint8_t crossings = 0; ///< of its border, when it was looked at
+  Side_pair halved_between;   ///< to be divided in two, from the middle of one of these sides to that of the other
 };
 
 class Refined_complex {
@@ -93,6 +101,8 @@ public:
   }
   std::uint32_t source(Half_edge h) const { return h % 2 == 0 ? edges_[h / 2].a : edges_[h / 2].b; }
   std::uint32_t target(Half_edge h) const { return source(h ^ 1U); }
+  /// the sample at which a divided half-edge was cut first.
+  std::uint32_t middle_sample(Half_edge h) const { return edges_[edges_[h / 2].child].b; }
   /// the angle by which parallel transport turns around the border of a cell.
   double holonomy(const std::vector<Half_edge>& border) const { return folds_.holonomy(*this, border); }
   /// the cell on the left of an undivided half-edge, or `no_id`.
@@ -106,9 +116,13 @@ private:
   Sample middle_of(std::uint32_t edge) const;
   void cut_edges(std::vector<Edge_cut> cuts);
   void divide_cells(const std::vector<std::uint32_t>& ids);
+  void quarter(std::uint32_t cell);
+  void halve(std::uint32_t cell);
+  void add_child(std::uint32_t cell, std::vector<Half_edge> sides);
   /// \param cuts  gets the cuts that cells ask for before they are decided; null: none is made any more
   void analyse(const std::vector<std::uint32_t>& all, bool may_divide, std::vector<Edge_cut>* cuts);
   void settle_folds();
+  bool is_turned_over(const Refined_cell& cell) const;
   void own(Half_edge h, std::uint32_t cell);
   Half_edge half(Half_edge h, int which) const;
   template <class Visit> bool visit_parts(Half_edge h, const Visit& visit) const {

@@ -15,6 +15,7 @@
 #include "course_of_lines.h"
 #include "cuts_between_branches.h"
 #include "degenerate_vertex.h"
+#include "halve_cell.h"
 #include "linear_fit.h"
 #include "locate.h"
 #include "nudge.h"
@@ -36,6 +37,10 @@ constexpr double one_to_one = 0.17;
 constexpr double clearance = 2.0;
 /// A linear model with error r over a cell of radius ρ has a gradient that is wrong by up to this times r/ρ.
 constexpr double gradient_error = 12.0;
+
+/// Where P is wrong by more than this part of itself at half of the samples, a model of more samples succeeds in 1 of 20
+/// cells.
+constexpr double hopeless_error = 2.5;
 
 /// Cells that were divided so often are looked at for what never ends to ask for more.
 constexpr int level_of_symmetry = 3;
@@ -146,6 +151,7 @@ bool families_differ(const std::vector<Border_crossing>& c, std::size_t offset) 
 
 /// What is found out about a cell.
 struct Judgement {
+  bool hopeless = false;       ///< more samples would hardly tell more: P is too far from what a model can follow
   bool known = false;          ///< P and Q have as many zeros as their windings say
   bool may_be_umbilic = false; ///< Q may vanish
   bool one_umbilic = false;    ///< there is one, and no other zero; `course` tells of its branches
@@ -216,6 +222,19 @@ Judgement judge_by_values(const Refined_complex& complex, const std::vector<Half
   return j;
 }
 
+/// The median of the relative error of P at the samples.
+double relative_error_of_P(const Cell_model& model, const Flat_cell& flat) {
+  std::vector<double> errors;
+  for (const Complex z : flat.points.z) {
+    const Complex at = model.from_plane(z);
+    const Field_errors wrong = model.errors(Field::P, at);
+    errors.push_back(std::hypot(wrong.re, wrong.im) / std::abs(model(at).P));
+  }
+  const auto middle = errors.begin() + std::ptrdiff_t(errors.size() / 2);
+  std::nth_element(errors.begin(), middle, errors.end());
+  return *middle;
+}
+
 /// judges by a model of values and derivatives.
 Judgement judge_by_model(const Refined_complex& complex, const std::vector<Half_edge>& border,
                          const Border_crossings& met, const Sample& middle, const Flat_cell& flat, int wP, int wQ,
@@ -229,8 +248,10 @@ Judgement judge_by_model(const Refined_complex& complex, const std::vector<Half_
     return j;
   const Zeros_in_cell P = zeros_in_cell(model, Field::P, polygon);
   j.known = P.agree_with(wP);
-  if (!j.known)
+  if (!j.known) {
+    j.hopeless = relative_error_of_P(model, flat) > hopeless_error;
     return j;
+  }
   j.P_zero = model.to_plane(P.place);
   j.Q_zero = model.to_plane(Q.place);
   Content content = Content::undecided;
@@ -260,7 +281,7 @@ Judgement judge_by_derivatives(const Refined_complex& complex, const std::vector
     return j;
   j = judge_by_model(complex, border, met, middle, flat, wP, wQ, most_edge_level);
   const bool simple = std::abs(wP) <= 1 && std::abs(wQ) <= 1 && met.crossings.size() <= 4;
-  if (j.content != Content::undecided || !j.course.cuts.empty() || !simple)
+  if (j.content != Content::undecided || !j.course.cuts.empty() || !simple || j.hopeless)
     return j;
   add_samples(complex, border, middle, flat);
   if (!flat.flat || !flat.has_derivatives)
@@ -317,22 +338,6 @@ bool still_holds(const Refined_complex& complex, const Refined_cell& cell) {
   const Border_crossings met = border_crossings(complex, border);
   return met.crossings.size() == cell.crossings && met.winding_phi == 2 * cell.winding_P + cell.winding_Q &&
          winding_of_Q(complex, border) == cell.winding_Q;
-}
-
-bool is_plainly_empty(const Refined_complex& complex, const Refined_cell& cell) {
-  constexpr double little = 1.5, far = 0.3;
-  constexpr double nearly_flat = 0.9; // with normals that near, transport around the cell turns by less than ½
-  const Vector& normal = complex.samples()[complex.source(cell.sides[0])].shape.n;
-  double turn = 0, gap = pi;
-  const bool quiet = complex.visit_border(cell, [&](Half_edge h) {
-    const Refined_edge& e = complex.edges()[h / 2];
-    const Sample& s = complex.samples()[complex.source(h)];
-    turn += 2 * std::abs(e.turn_P) + std::abs(e.turn_Q);
-    gap = std::min(gap, std::abs(s.phase - pi * std::round(s.phase / pi)));
-    const bool crossed = e.winding != 0 || complex.samples()[e.a].positive != complex.samples()[e.b].positive;
-    return !crossed && turn < little && dot(s.shape.n, normal) > nearly_flat;
-  });
-  return quiet && (gap > far || (complex.surface().interpolates() && gap > turn));
 }
 
 Border_crossings border_crossings(const Refined_complex& complex, const std::vector<Half_edge>& border) {
@@ -425,6 +430,12 @@ Cell_analysis analyse_cell(const Refined_complex& complex, const Refined_cell& c
 
   // Where the surface cannot be reached there is nothing to be found out by dividing.
   if (middle.exact && (no_vertex ? may_divide_lines : may_divide)) {
+    // Beside a vertex the middle, which keeps off zeros, serves better than a line that may run through one.
+    if (wP == 0 && wQ == 0 && !complex.surface().interpolates())
+      if (const auto between = halving_of(complex, cell, middle, flat)) {
+        result.halved_between = *between;
+        return result;
+      }
     double P_around = 0, Q_around = 0;
     for (std::size_t i = 0; i < flat.border; ++i) {
       P_around = std::max(P_around, std::abs(flat.P[i]));

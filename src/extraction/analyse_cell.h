@@ -32,13 +32,9 @@ struct Cell_analysis {
   int winding_P = 0, winding_Q = 0; ///< of P and Q around the border: a multiple of a full turn
   std::optional<Sample> sample;     ///< the vertex in the cell, or its middle
   std::int8_t joined = 0;           ///< as in `Refined_cell`
+  Side_pair halved_between;         ///< as in `Refined_cell`
   std::vector<Edge_cut> cuts;       ///< cut these edges, then ask again; nothing else is told
 };
-
-/// tells, without a look inside, that nothing happens in a cell: no line crosses its border, the fields hardly turn
-/// around it and Φ keeps far from the real axis. What is interpolated turns inside no further than around: there it is
-/// enough to be as far as that.
-bool is_plainly_empty(const Refined_complex& complex, const Refined_cell& cell);
 
 /// tells whether what was found in a cell still holds after edges of it were divided: it was certain, and they are crossed as
 /// often as it had seemed.

@@ -50,23 +50,25 @@ std::vector<double> room_around(const Cell_complex& cells, const std::vector<std
 /// moves samples at the corners of the cells a little off lines and zeros.
 void nudge_corners(const Surface& surface, const Cell_complex& cells, std::vector<Sample>& samples, Thread_pool& pool) {
   const std::size_t n = cells.points.size();
-  struct Around { // the squares of what is around a point
-    double shortest = std::numeric_limits<double>::infinity(), P = 0, Q = 0;
+  struct Around { // the squares of what is around a point, and half of the shortest edge's length in the end
+    double size = std::numeric_limits<double>::infinity(), P = 0, Q = 0;
   };
   std::vector<Around> around(n);
   for (const auto& [a, b] : cells.edges) {
     const Vector d = samples[b].p - samples[a].p;
     const double length = dot(d, d);
     for (const auto& [i, j] : {std::pair{a, b}, std::pair{b, a}}) {
-      around[i].shortest = std::min(around[i].shortest, length);
+      around[i].size = std::min(around[i].size, length);
       around[i].P = std::max(around[i].P, std::norm(samples[j].P));
       around[i].Q = std::max(around[i].Q, std::norm(samples[j].shape.Q));
     }
   }
+  for (Around& a : around)
+    a = {0.5 * std::sqrt(a.size), std::sqrt(a.P), std::sqrt(a.Q)};
   // Few are to be moved.
   std::vector<std::uint32_t> number(n, 0), moved;
   for (std::uint32_t i = 0; i < n; ++i)
-    if (should_be_nudged(samples[i], around[i].P, around[i].Q)) {
+    if (should_be_nudged(samples[i], around[i].size, around[i].P, around[i].Q)) {
       moved.push_back(i);
       number[i] = std::uint32_t(moved.size());
     }
@@ -79,8 +81,7 @@ void nudge_corners(const Surface& surface, const Cell_complex& cells, std::vecto
   std::vector<Sample> nudged_samples(moved.size());
   pool.for_each(moved.size(), 64, [&](std::size_t k) {
     const Around& a = around[moved[k]];
-    nudged_samples[k] = nudged(surface, samples[moved[k]], 0.5 * std::sqrt(a.shortest), room[k], std::sqrt(a.P),
-                               std::sqrt(a.Q), neighbours[k]);
+    nudged_samples[k] = nudged(surface, samples[moved[k]], a.size, room[k], a.P, a.Q, neighbours[k]);
   });
   for (std::size_t k = 0; k < moved.size(); ++k)
     samples[moved[k]] = nudged_samples[k];

@@ -12,8 +12,9 @@
 namespace CGAL::Extremal_mesh_3 {
 
 /// tells whether a sample lies on a line, or so near to a zero of P or Q that |P| or |Q| is small against the values
-/// around, of which the squares are given.
-bool should_be_nudged(const Sample& s, double P2_around, double Q2_around);
+/// around.
+/// \param size  the distance of what is around
+bool should_be_nudged(const Sample& s, double size, double P_around, double Q_around);
 
 /// the sample, or one moved within the surface if it should be: by a small part of `size`, and by no more than half of `room`,
 /// the distance from what it must not pass.
