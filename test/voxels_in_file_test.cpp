@@ -170,6 +170,9 @@ void write_ellipsoid(const std::string& file, int n) {
 }
 
 TEST_F(The_program, works_with_half_the_memory_that_the_volume_takes) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer takes more memory";
+#endif
   const Temporary_folder temporary;
   write_ellipsoid(temporary.file("a.nrrd"), 256);
   const auto graph = [&](const std::string& arguments, const std::string& name) {
