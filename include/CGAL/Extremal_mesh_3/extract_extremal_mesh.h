@@ -63,7 +63,7 @@ struct Extraction_report {
   std::size_t surface_cells = 0;      ///< initial cells
   std::size_t refined_cells = 0;      ///< cells after subdivision
   std::size_t accepted_cells = 0;     ///< cells whose configuration passed every test
-  std::size_t uncertain_cells = 0;    ///< cells taken as they were at the finest level
+  std::size_t uncertain_cells = 0;    ///< cells taken as they were at the finest level, or turned over
   bool certified = false;             ///< proofs were asked for, and the function could be bounded
   std::size_t proved_empty_cells = 0; ///< accepted cells without lines in which it is proved that E_g has no zero
   /// further accepted cells without vertices, with lines or without, in which it is proved that there is no extremal point and no umbilic
