@@ -40,6 +40,9 @@ const Format* format_of(const std::string& file) {
 /// With larger ones, sums of products of coordinates would not be finite any more.
 constexpr double largest_coordinate = 1e100;
 
+/// Larger ones are not faces of a surface that anybody could use, but mistakes or attacks.
+constexpr std::size_t most_corners = 1U << 16U;
+
 double largest(const Polygon_soup& soup) {
   double size = 0;
   for (const Point& p : soup.points)
@@ -52,6 +55,12 @@ Polygon_soup read_soup(const Format& format, const std::string& file) {
   if (const double size = largest(soup); size > largest_coordinate)
     throw std::runtime_error(
         fmt::format("expected coordinates of at most {}, found one of {}", largest_coordinate, size));
+  const auto polygon = std::find_if(soup.polygons.begin(), soup.polygons.end(),
+                                    [](const Polygon& p) { return p.size() > most_corners; });
+  if (polygon != soup.polygons.end())
+    throw std::runtime_error(fmt::format("expected faces of at most {} vertices, found {} at face {} (of {})",
+                                         most_corners, polygon->size(), polygon - soup.polygons.begin() + 1,
+                                         soup.polygons.size()));
   if (format.read == read_stl)
     weld(soup, 0);
   return soup;

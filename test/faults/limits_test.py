@@ -67,12 +67,12 @@ refused("nothing.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999\neleme
 refused("triangles.stl", bytes(80) + struct.pack("<I", 0xFFFFFFFF) + bytes(50))
 refused("edges.om", b"OMT" + struct.pack("<BIII", 2 << 5, 0xFFFFFFFF, 0xFFFFFFFF, 0xFFFFFFFF) + bytes(64))
 n = 1_000_000
-refused("polygon.off", f"OFF\n{n} 1 0\n" + "".join(f"{i % 1000} {i // 1000} {i % 7}\n" for i in range(n)) + f"{n} " + " ".join(map(str, range(n))))
-half = n // 2
-turns = [2 * math.pi * i / half for i in range(half)]
-refused("round_polygon.off", f"OFF\n{half} 1 0\n" + "".join(f"{math.cos(t):.9f} {math.sin(t):.9f} 0\n" for t in turns) + f"{half} " +
-        " ".join(map(str, range(half))), expect="no jet")
-refused("polygon_twice.off", f"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n{n} " + "0 1 2 " * (n // 3) + "0")
+refused("polygon.off", f"OFF\n{n} 1 0\n" + "".join(f"{i % 1000} {i // 1000} {i % 7}\n" for i in range(n)) + f"{n} " + " ".join(map(str, range(n))), expect="at most 65536 vertices, found 1000000 at face 1")
+few = 1 << 16  # as many as a face may have
+turns = [2 * math.pi * i / few for i in range(few)]
+refused("round_polygon.off", f"OFF\n{few} 1 0\n" + "".join(f"{math.cos(t):.9f} {math.sin(t):.9f} 0\n" for t in turns) + f"{few} " +
+        " ".join(map(str, range(few))), expect="no jet")
+refused("polygon_twice.off", f"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n{few} " + "0 1 2 " * (few // 3) + "0")
 # Images.
 refused("size.nrrd", nrrd(2_000_000, bytes(100), "raw"), "--iso", "1")
 refused("lie.nrrd", nrrd(1500, zeros(1)), "--iso", "1", expect="truncated")

@@ -55,7 +55,7 @@ struct Mesh {
 bool is_mesh_file(const std::string& file);
 
 /// reads a polygon mesh: OFF (also with colours, normals and texture coordinates), OBJ, PLY (text and binary of both
-/// byte orders), STL (text and binary) or OpenMesh's OM, by the extension of its name. Faces may have any number of
+/// byte orders), STL (text and binary) or OpenMesh's OM, by the extension of its name. Faces may have up to 65536
 /// sides. What is wrong with the mesh is repaired where that is safe.
 /// \throws Io_error naming the file, the place in it and what was expected: also if no face is left
 ///         std::invalid_argument if the tolerance is negative, not finite, or more than a hundredth of the mesh's size
