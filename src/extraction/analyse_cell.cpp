@@ -38,10 +38,6 @@ constexpr double clearance = 2.0;
 /// A linear model with error r over a cell of radius ρ has a gradient that is wrong by up to this times r/ρ.
 constexpr double gradient_error = 12.0;
 
-/// Where P is wrong by more than this part of itself at half of the samples, a model of more samples succeeds in 1 of 20
-/// cells.
-constexpr double hopeless_error = 2.5;
-
 /// Cells that were divided so often are looked at for what never ends to ask for more.
 constexpr int level_of_symmetry = 3;
 
@@ -151,7 +147,6 @@ bool families_differ(const std::vector<Border_crossing>& c, std::size_t offset) 
 
 /// What is found out about a cell.
 struct Judgement {
-  bool hopeless = false;       ///< more samples would hardly tell more: P is too far from what a model can follow
   bool known = false;          ///< P and Q have as many zeros as their windings say
   bool may_be_umbilic = false; ///< Q may vanish
   bool one_umbilic = false;    ///< there is one, and no other zero; `course` tells of its branches
@@ -222,19 +217,6 @@ Judgement judge_by_values(const Refined_complex& complex, const std::vector<Half
   return j;
 }
 
-/// The median of the relative error of P at the samples.
-double relative_error_of_P(const Cell_model& model, const Flat_cell& flat) {
-  std::vector<double> errors;
-  for (const Complex z : flat.points.z) {
-    const Complex at = model.from_plane(z);
-    const Field_errors wrong = model.errors(Field::P, at);
-    errors.push_back(std::hypot(wrong.re, wrong.im) / std::abs(model(at).P));
-  }
-  const auto middle = errors.begin() + std::ptrdiff_t(errors.size() / 2);
-  std::nth_element(errors.begin(), middle, errors.end());
-  return *middle;
-}
-
 /// judges by a model of values and derivatives.
 Judgement judge_by_model(const Refined_complex& complex, const std::vector<Half_edge>& border,
                          const Border_crossings& met, const Sample& middle, const Flat_cell& flat, int wP, int wQ,
@@ -248,10 +230,8 @@ Judgement judge_by_model(const Refined_complex& complex, const std::vector<Half_
     return j;
   const Zeros_in_cell P = zeros_in_cell(model, Field::P, polygon);
   j.known = P.agree_with(wP);
-  if (!j.known) {
-    j.hopeless = relative_error_of_P(model, flat) > hopeless_error;
+  if (!j.known)
     return j;
-  }
   j.P_zero = model.to_plane(P.place);
   j.Q_zero = model.to_plane(Q.place);
   Content content = Content::undecided;
@@ -271,7 +251,8 @@ Judgement judge_by_model(const Refined_complex& complex, const std::vector<Half_
   return j;
 }
 
-/// judges where samples have derivatives; takes more of them if these leave doubt that a better model may settle.
+/// judges where samples have derivatives; takes more of them if these leave doubt about the lines. About zeros a model of more samples
+/// rarely tells more, and parts of the cell do.
 Judgement judge_by_derivatives(const Refined_complex& complex, const std::vector<Half_edge>& border,
                                const Border_crossings& met, const Sample& middle, Flat_cell& flat, int wP, int wQ,
                                int most_edge_level) {
@@ -281,7 +262,7 @@ Judgement judge_by_derivatives(const Refined_complex& complex, const std::vector
     return j;
   j = judge_by_model(complex, border, met, middle, flat, wP, wQ, most_edge_level);
   const bool simple = std::abs(wP) <= 1 && std::abs(wQ) <= 1 && met.crossings.size() <= 4;
-  if (j.content != Content::undecided || !j.course.cuts.empty() || !simple || j.hopeless)
+  if (j.content != Content::undecided || !j.course.cuts.empty() || !simple || !j.known)
     return j;
   add_samples(complex, border, middle, flat);
   if (!flat.flat || !flat.has_derivatives)

@@ -135,8 +135,13 @@ public:
     if (may_be_divided)
       if (const auto placed = place(segment_.ends[0].at, segment_.ends[1].at, 0.5,
                                     expected_bend(segment_.ends[0].at, segment_.ends[1].at));
-          placed && std::abs(placed->offset) > strong_bend * length_)
+          placed && std::abs(placed->offset) > strong_bend * length_) {
+        // Where the phase turns steeply this may be another line: the tangents at the ends do not bend it so.
+        if (segment_.certain)
+          if (const auto points = walk_along_line(surface_, segment_, true); !points.empty())
+            return refine_pieces(points);
         return refine_pieces({line_place(surface_, placed->sample, segment_.family, 1e-3 * length_)});
+      }
     if (!find_type_changes()) {
       result_.straight = true;
       return std::move(result_);

@@ -42,7 +42,7 @@ public:
     Step at{from_, forward(from_)};
     double step = first_step * length_;
     for (int i = 0; i < most_steps; ++i) {
-      if (sees_end(at))
+      if (sees_end(at) && !points.empty())
         return true;
       step = std::min(step, 0.6 * distance(at.place.p, to_.p));
       auto next = advance(at, step);
@@ -124,7 +124,7 @@ private:
 
 } // namespace
 
-std::vector<Line_place> walk_along_line(const Surface& surface, const Segment& segment) {
+std::vector<Line_place> walk_along_line(const Surface& surface, const Segment& segment, bool even_if_straight) {
   const auto& ends = segment.ends;
   std::vector<Line_place> points;
   for (const bool backward : {false, true}) {
@@ -132,7 +132,7 @@ std::vector<Line_place> walk_along_line(const Surface& surface, const Segment& s
     if (dot(from.tangent, from.tangent) == 0) // a vertex
       continue;
     const Line_walk walk(surface, from, to, segment.family, (backward ? -1 : 1) * segment.sign_on_left);
-    if (walk.is_nearly_straight())
+    if (!even_if_straight && walk.is_nearly_straight())
       return {};
     if (walk.reach_end(points)) {
       if (backward)

@@ -14,7 +14,8 @@ namespace CGAL::Extremal_mesh_3 {
 /// \return points of the line from the first end to the second, without these, so near to each other that the line leaves each
 ///         at a small angle to the way to the next one. None if it does so at the ends already, if its tangent is known at
 ///         neither, or if the second end is not reached
-std::vector<Line_place> walk_along_line(const Surface& surface, const Segment& segment);
+/// \param even_if_straight  is followed even if it seems to go straight by its tangents at the ends
+std::vector<Line_place> walk_along_line(const Surface& surface, const Segment& segment, bool even_if_straight = false);
 
 } // namespace CGAL::Extremal_mesh_3
 
