@@ -54,11 +54,12 @@ public:
         return false;
     return true;
   }
-  bool divided(const Grid_cube& c) const { return divided_.count(c) != 0; }
+  bool divided(const Grid_cube& c) const { return divided_at_[std::size_t(c.level)] != 0 && divided_.count(c) != 0; }
   /// divides a cube, and the cubes that it lies in.
   void divide(const Grid_cube& c) {
     if (!inside(c) || c.level >= levels || !divided_.insert(c).second)
       return;
+    ++divided_at_[std::size_t(c.level)];
     if (c.level > 0)
       divide(ancestor(c, c.level - 1));
   }
@@ -76,14 +77,24 @@ public:
   }
   /// tells whether visit(cube) is true for the cube or one of its size around it, 27 in all, as far as they are inside.
   template <class Visit> bool any_around(const Grid_cube& c, const Visit& visit) const {
-    const std::int64_t s = side(c.level);
-    for (int i = 0; i < 27; ++i) {
-      const Grid_cube n{{c.base[0] + (i % 3 - 1) * s, c.base[1] + (i / 3 % 3 - 1) * s, c.base[2] + (i / 9 - 1) * s},
-                        c.level};
-      if (inside(n) && visit(n))
+    for (int i = 0; i < 27; ++i)
+      if (const Grid_cube n = beside(c, i); inside(n) && visit(n))
         return true;
-    }
     return false;
+  }
+  /// the cubes of its size around a cube that are divided: bit `place_beside()` tells of each.
+  std::uint32_t divided_around(const Grid_cube& c) const {
+    std::uint32_t mask = 0;
+    if (divided_at_[std::size_t(c.level)] != 0)
+      for (int i = 0; i < 27; ++i)
+        mask |= std::uint32_t(divided(beside(c, i))) << i;
+    return mask;
+  }
+  /// the number among the 27 around a cube of one of them
+  static int place_beside(const Grid_cube& c, const Grid_cube& n) {
+    const std::int64_t s = side(c.level);
+    return int((n.base[0] - c.base[0]) / s + 1 + 3 * ((n.base[1] - c.base[1]) / s + 1) +
+               9 * ((n.base[2] - c.base[2]) / s + 1));
   }
   /// these cubes.
   std::vector<Grid_cube> around(const Grid_cube& c) const {
@@ -109,8 +120,14 @@ public:
   const std::unordered_set<Grid_cube, Grid_hash>& divided_cubes() const { return divided_; }
 
 private:
+  static Grid_cube beside(const Grid_cube& c, int i) {
+    const std::int64_t s = side(c.level);
+    return {{c.base[0] + (i % 3 - 1) * s, c.base[1] + (i / 3 % 3 - 1) * s, c.base[2] + (i / 9 - 1) * s}, c.level};
+  }
+
   Grid_point size_{};
   std::unordered_set<Grid_cube, Grid_hash> divided_;
+  std::array<std::size_t, levels + 1> divided_at_{}; ///< how many of each level
 };
 
 } // namespace CGAL::Extremal_mesh_3

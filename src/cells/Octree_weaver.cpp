@@ -36,7 +36,7 @@ bool Octree_weaver::edge_divided(const Edge& edge) const {
   const std::size_t b = (edge.axis + 1) % 3, c = (edge.axis + 2) % 3;
   const std::int64_t s = Octree::side(edge.level);
   for (int i = 0; i < 4; ++i)
-    if (tree_.divided({moved(moved(edge.base, b, i & 1 ? -s : 0), c, i & 2 ? -s : 0), edge.level}))
+    if (divided({moved(moved(edge.base, b, i & 1 ? -s : 0), c, i & 2 ? -s : 0), edge.level}))
       return true;
   return false;
 }
@@ -44,7 +44,7 @@ bool Octree_weaver::edge_divided(const Edge& edge) const {
 /// adds the cuts of an edge, walked along its axis or back.
 void Octree_weaver::cut(const Edge& edge, bool forward, std::vector<Cut>& cuts) {
   const std::int64_t s = Octree::side(edge.level);
-  if (beside_finer_ && edge.level < Octree::levels && edge_divided(edge)) {
+  if (divided_around_ != 0 && edge.level < Octree::levels && edge_divided(edge)) {
     const Edge low{edge.base, edge.axis, edge.level + 1},
         high{moved(edge.base, edge.axis, s / 2), edge.axis, edge.level + 1};
     cut(forward ? low : high, forward, cuts);
@@ -52,7 +52,7 @@ void Octree_weaver::cut(const Edge& edge, bool forward, std::vector<Cut>& cuts) 
     return;
   }
   const Grid_point end = moved(edge.base, edge.axis, s);
-  const double v0 = value(edge.base), v1 = value(end);
+  const double v0 = corner_value(edge.base), v1 = corner_value(end);
   if ((v0 >= 0) == (v1 >= 0))
     return;
   const auto [it, fresh] = points_.try_emplace(edge, next_point_);
@@ -78,8 +78,8 @@ bool Octree_weaver::ambiguous_face_joined(const Face& face) {
 void Octree_weaver::join(const Face& face, std::map<std::uint32_t, std::uint32_t>& next) {
   const std::int64_t s = Octree::side(face.level);
   const std::size_t normal = 3 - face.first - face.second;
-  if (beside_finer_ && face.level < Octree::levels &&
-      (tree_.divided({face.base, face.level}) || tree_.divided({moved(face.base, normal, -s), face.level}))) {
+  if (divided_around_ != 0 && face.level < Octree::levels &&
+      (divided({face.base, face.level}) || divided({moved(face.base, normal, -s), face.level}))) {
     for (int i = 0; i < 4; ++i)
       join({moved(moved(face.base, face.first, i & 1 ? s / 2 : 0), face.second, i & 2 ? s / 2 : 0), face.first,
             face.second, face.level + 1},
@@ -106,23 +106,44 @@ void Octree_weaver::join(const Face& face, std::map<std::uint32_t, std::uint32_t
       next[cuts[i].point] = cuts[joined ? (i + 1) % n : (i + n - 1) % n].point;
 }
 
-/// tells that a cube lies outside the domain of the function, or has equal signs at its corners and no finer cubes beside it.
-bool Octree_weaver::plainly_empty(const Grid_cube& cube) {
-  int positive = 0;
+/// tells that the cube at hand lies outside the domain of the function, or has equal signs at its corners and no finer cubes beside it.
+bool Octree_weaver::plainly_empty() const {
+  if (!std::all_of(at_corner_.begin(), at_corner_.end(), [](double v) { return std::isfinite(v); }))
+    return true;
+  const auto positive = std::count_if(at_corner_.begin(), at_corner_.end(), [](double v) { return v >= 0; });
+  return (positive == 0 || positive == 8) && divided_around_ == 0;
+}
+
+/// makes a cube the one at hand.
+void Octree_weaver::look_around(const Grid_cube& cube) {
+  cube_ = cube;
+  divided_around_ = tree_.divided_around(cube);
   for (unsigned c = 0; c < 8; ++c) {
     Grid_point corner = cube.base;
     for (std::size_t a = 0; a < 3; ++a)
       corner[a] += (c >> a & 1U) * Octree::side(cube.level);
-    const double v = value(corner);
-    if (!std::isfinite(v))
-      return true;
-    positive += v >= 0;
+    at_corner_[c] = value(corner);
   }
-  return (positive == 0 || positive == 8) && !beside_finer_;
 }
 
-bool Octree_weaver::beside_finer(const Grid_cube& cube) const {
-  return tree_.any_around(cube, [&](const Grid_cube& c) { return tree_.divided(c); });
+/// \param cube  around the cube at hand, of its size or smaller
+bool Octree_weaver::divided(const Grid_cube& cube) const {
+  if (cube.level != cube_.level)
+    return tree_.divided(cube);
+  return (divided_around_ >> Octree::place_beside(cube_, cube) & 1U) != 0;
+}
+
+/// \param node  on the border of the cube at hand
+double Octree_weaver::corner_value(const Grid_point& node) {
+  const std::int64_t s = Octree::side(cube_.level);
+  std::size_t corner = 0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::int64_t d = node[a] - cube_.base[a];
+    if (d != 0 && d != s)
+      return value(node);
+    corner |= std::size_t(d == s) << a;
+  }
+  return at_corner_[corner];
 }
 
 void Octree_weaver::weave(const Grid_cube& cube) {
@@ -131,8 +152,8 @@ void Octree_weaver::weave(const Grid_cube& cube) {
       weave(Octree::child(cube, c));
     return;
   }
-  beside_finer_ = beside_finer(cube);
-  if (plainly_empty(cube))
+  look_around(cube);
+  if (plainly_empty())
     return;
   const std::int64_t s = Octree::side(cube.level);
   std::map<std::uint32_t, std::uint32_t> next;
@@ -162,7 +183,7 @@ void Octree_weaver::weave(const Grid_cube& cube) {
     polygon_begin.push_back(corners.size());
     polygon_cubes.push_back(cube);
   }
-  if ((ambiguous_side_ || loops > 1) && beside_finer_)
+  if ((ambiguous_side_ || loops > 1) && divided_around_ != 0)
     ambiguous_cubes.push_back(cube);
 }
 

@@ -65,8 +65,10 @@ private:
   };
 
   double value(const Grid_point& node);
-  bool plainly_empty(const Grid_cube& cube);
-  bool beside_finer(const Grid_cube& cube) const;
+  bool plainly_empty() const;
+  void look_around(const Grid_cube& cube);
+  bool divided(const Grid_cube& cube) const;
+  double corner_value(const Grid_point& node);
   bool edge_divided(const Edge& edge) const;
   void cut(const Edge& edge, bool forward, std::vector<Cut>& cuts);
   void join(const Face& face, std::map<std::uint32_t, std::uint32_t>& next);
@@ -78,8 +80,11 @@ private:
   std::unordered_map<Grid_point, double, Grid_hash> values_;
   std::unordered_map<Edge, std::uint32_t, Edge_hash> points_;
   std::uint32_t next_point_ = 0;
-  bool ambiguous_side_ = false; ///< met in the cube at hand
-  bool beside_finer_ = false;   ///< the cube at hand touches divided ones: its sides may be divided
+  // Of the cube at hand:
+  Grid_cube cube_;
+  std::array<double, 8> at_corner_{}; ///< the values
+  std::uint32_t divided_around_ = 0;  ///< of those around it: if there are any its sides may be divided
+  bool ambiguous_side_ = false;       ///< was met
 };
 
 } // namespace CGAL::Extremal_mesh_3
