@@ -43,13 +43,24 @@ private:
   std::mt19937 random_;
 };
 
-/// x² + b y² + c z² + (cubic and quartic terms) − 1.
-inline auto ellipsoid(unsigned seed) {
+/// x² + b y² + c z² + (cubic and quartic terms) − 1, as a functor.
+inline auto ellipsoid_functor(unsigned seed) {
   Random random(seed);
   const auto t = random.coefficients(0.12);
   const double b = random.uniform(1, 2), c = random.uniform(1, 3);
-  return make_function(
-      [t, b, c](auto x, auto y, auto z) { return x * x + b * y * y + c * z * z - 1 + random_terms(t, x, y, z); });
+  return [t, b, c](auto x, auto y, auto z) { return x * x + b * y * y + c * z * z - 1 + random_terms(t, x, y, z); };
+}
+inline auto ellipsoid(unsigned seed) {
+  return make_function(ellipsoid_functor(seed));
+}
+/// the same surface, moved.
+/// \pre the motion keeps lengths
+inline auto ellipsoid(unsigned seed, const surfaces::Motion& motion) {
+  return make_function([f = ellipsoid_functor(seed), R = motion.R, t = motion.translation](auto x, auto y, auto z) {
+    const auto dx = x - t[0], dy = y - t[1], dz = z - t[2];
+    return f(R[0][0] * dx + R[1][0] * dy + R[2][0] * dz, R[0][1] * dx + R[1][1] * dy + R[2][1] * dz,
+             R[0][2] * dx + R[1][2] * dy + R[2][2] * dz);
+  });
 }
 
 /// a torus with radii 1 and about 0.4, disturbed.

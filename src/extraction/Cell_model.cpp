@@ -327,6 +327,8 @@ Cell_model::Slopes Cell_model::slopes(Complex z) const {
     const double inverse = 1 / (F.re.f * F.re.f + F.im.f * F.im.f), re = inverse * F.re.f, im = -inverse * F.im.f;
     const double x_re = F.re.x * re - F.im.x * im, x_im = F.re.x * im + F.im.x * re;
     const double y_re = F.re.y * re - F.im.y * im, y_im = F.re.y * im + F.im.y * re;
+    s.log_x += 2 * x_re;
+    s.log_y += 2 * y_re;
     s.x += factor * x_im;
     s.y += factor * y_im;
     s.xx += factor * (F.re.xx * im + F.im.xx * re - 2 * x_re * x_im);

@@ -84,6 +84,7 @@ public:
   /// Derivatives of the phase: x and y, then xx, xy, yy.
   struct Slopes {
     double x, y, xx, xy, yy;
+    double log_x, log_y; ///< of the logarithm of |P|² |Q|²
     double hessian() const { return xx * yy - xy * xy; }
   };
   Slopes slopes(Complex z) const;

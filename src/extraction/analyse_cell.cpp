@@ -309,6 +309,28 @@ int winding_of_Q(const Refined_complex& complex, const std::vector<Half_edge>& b
   return int(std::lround((turn + 2 * complex.holonomy(border)) / (2 * pi)));
 }
 
+/// tells whether the phase at the samples within each side lies between those at its ends, as it would nearly always where the model
+/// that the cell was accepted by was right about it.
+bool sides_keep_between_corners(const Refined_complex& complex, const Refined_cell& cell,
+                                const std::vector<Half_edge>& border) {
+  if (border.size() == cell.sides.size())
+    return true;
+  const std::vector<double> phase = border_phase(complex, border);
+  std::size_t begin = 0;
+  for (std::size_t side = 0; side < cell.sides.size(); ++side) {
+    const std::uint32_t last = complex.target(cell.sides[side]);
+    std::size_t end = begin + 1;
+    while (complex.target(border[end - 1]) != last)
+      ++end;
+    const auto [low, high] = std::minmax(phase[begin], phase[end]);
+    for (std::size_t i = begin + 1; i < end; ++i)
+      if (phase[i] < low || phase[i] > high)
+        return false;
+    begin = end;
+  }
+  return true;
+}
+
 } // namespace
 
 bool still_holds(const Refined_complex& complex, const Refined_cell& cell) {
@@ -318,7 +340,7 @@ bool still_holds(const Refined_complex& complex, const Refined_cell& cell) {
   complex.border(cell, border);
   const Border_crossings met = border_crossings(complex, border);
   return met.crossings.size() == cell.crossings && met.winding_phi == 2 * cell.winding_P + cell.winding_Q &&
-         winding_of_Q(complex, border) == cell.winding_Q;
+         winding_of_Q(complex, border) == cell.winding_Q && sides_keep_between_corners(complex, cell, border);
 }
 
 Border_crossings border_crossings(const Refined_complex& complex, const std::vector<Half_edge>& border) {

@@ -296,12 +296,13 @@ private:
                        [&](const Critical_point& c) { return !is_on_level(c) && (c.saddle || is_open_to_border(c)); });
   }
 
-  /// Newton's method for ∇φ = 0.
+  /// Newton's method for |P|² |Q|² ∇φ = 0, which is nearly a polynomial also where ∇φ is steep, beside where P nearly vanishes.
   bool find_critical_point(Complex& z) const {
     for (int k = 0; k < 15; ++k) {
       const auto s = model_.slopes(z);
-      const double det = s.hessian();
-      Complex step((s.y * s.xy - s.x * s.yy) / det, (s.x * s.xy - s.y * s.xx) / det);
+      const double xx = s.xx + s.x * s.log_x, xy = s.xy + s.x * s.log_y, yx = s.xy + s.y * s.log_x,
+                   yy = s.yy + s.y * s.log_y, det = xx * yy - xy * yx;
+      Complex step((s.y * xy - s.x * yy) / det, (s.x * yx - s.y * xx) / det);
       const double length = std::sqrt(std::norm(step));
       if (!(length < (k == 0 ? farthest_first_step : 1e3)))
         return false;
@@ -314,11 +315,18 @@ private:
     return false;
   }
 
-  /// A part of the border between two crossings, as points (edge + t).
+  /// A part of the border between two crossings.
   struct Interval {
-    Complex best;
+    Complex best;      ///< the highest point
     double height = 0; ///< there
+    double width = 0;  ///< the distance between the crossings
   };
+
+  /// where about an edge is crossed, as far as the phases at its ends tell.
+  Complex place_of(const Border_crossing& crossing, std::size_t edge) const {
+    const double rise = phase_[edge + 1] - phase_[edge], t = (pi * crossing.level - phase_[edge]) / rise;
+    return on_edge(edge, std::clamp(t, 0.0, 1.0));
+  }
 
   /// the point of the border between crossings i and j, walking on from i, that is highest.
   template <class Height> Interval best_between(std::size_t i, std::size_t j, const Height& height) const {
@@ -327,6 +335,7 @@ private:
       return std::size_t(std::find(border_.begin(), border_.end(), met_.crossings[c].half_edge) - border_.begin());
     };
     const std::size_t first = edge_of(i), last = edge_of(j), n = border_.size();
+    interval.width = std::sqrt(std::norm(place_of(met_.crossings[i], first) - place_of(met_.crossings[j], last)));
     const auto look = [&](Complex z) {
       if (const double h = height(z); h > interval.height)
         interval = {z, h};
@@ -341,35 +350,48 @@ private:
     return interval;
   }
 
-  /// how far the height keeps above the error along the crest from one place of the border to another, inside.
-  template <class Height> double clearance_along(Complex from, Complex to, const Height& height) const {
-    constexpr int stations = 32, between = 4;
+  static constexpr double outside = -10; ///< lower than any height
+
+  /// how far the height keeps above the error on the straight way from a to b, seen at steps that are the smaller the nearer they are to
+  /// the gaps: there what parts the sides of the way may be as narrow as it is at the border.
+  template <class Height>
+  double clearance_between(Complex a, Complex b, const std::array<Interval, 2>& gaps, const Height& height) const {
+    constexpr double longest = 0.02, part = 0.25, shortest = 1e-6;
+    double step = longest;
+    for (const Interval& gap : gaps)
+      step = std::min(step, part * (gap.width + std::sqrt(std::norm(0.5 * (a + b) - gap.best))));
+    if (std::norm(b - a) > std::max(step, shortest) * std::max(step, shortest)) {
+      const Complex middle = 0.5 * (a + b);
+      const double first = clearance_between(a, middle, gaps, height);
+      return first > 0 ? std::min(first, clearance_between(middle, b, gaps, height)) : first;
+    }
+    return polygon_.contains(b) ? height(b) - model_.phase_error(b) - rounding : outside;
+  }
+
+  /// how far the height keeps above the error along the crest from one part of the border to another, inside.
+  /// \param gaps  the parts between, where the border is on the other side of the level
+  template <class Height>
+  double clearance_along(const Interval& begin, const Interval& end, const std::array<Interval, 2>& gaps,
+                         const Height& height) const {
+    constexpr int stations = 32;
     constexpr double aside = 0.04;
-    constexpr double outside = -10; // lower than any height
+    const Complex from = begin.best, to = end.best;
+    const auto clear_at = [&](const Interval& i) { return i.height - model_.phase_error(i.best) - rounding; };
+    double least = std::min(clear_at(begin), clear_at(end)), offset = 0;
     Complex last = from;
     const Complex along = to - from, across = Complex(0, 1) * along;
-    double least = 1e300, offset = 0;
-    for (int k = 0; k <= stations; ++k) {
+    for (int k = 1; k < stations && least > 0; ++k) {
       const double s = double(k) / stations;
       const auto at = [&](double o) { return from + s * along + o * across; };
-      if (k > 0 && k < stations) {
-        offset =
-            place_of_maximum([&](double o) { return polygon_.contains(at(o)) ? height(at(o)) : outside - std::abs(o); },
-                             offset - aside, offset + aside, 12);
-        if (!polygon_.contains(at(offset)))
-          return outside;
-      } else {
-        offset = 0;
-      }
-      for (int i = 1; i <= between; ++i) { // it must not jump over what lies between
-        const Complex z = last + double(i) / between * (at(offset) - last);
-        if (k > 0 && k < stations && !polygon_.contains(z))
-          return outside;
-        least = std::min(least, height(z) - model_.phase_error(z) - rounding);
-      }
+      offset =
+          place_of_maximum([&](double o) { return polygon_.contains(at(o)) ? height(at(o)) : outside - std::abs(o); },
+                           offset - aside, offset + aside, 12);
+      least = std::min(least, clearance_between(last, at(offset), gaps, height));
       last = at(offset);
     }
-    return least;
+    // Up to the border itself, where rounding says which side is inside.
+    const Complex beside = to + 1e-3 * (last - to);
+    return least > 0 ? std::min(least, clearance_between(last, beside, gaps, height)) : least;
   }
 
   /// tells whether the border rises and falls far enough over and under a level. If not, what is beyond it may be the tip
@@ -410,8 +432,8 @@ private:
       const auto at = [&, &c = c](std::size_t k) { return c[(rise + k) % 4]; };
       const std::array<Interval, 4> sides{best_between(at(0), at(1), above), best_between(at(1), at(2), below),
                                           best_between(at(2), at(3), above), best_between(at(3), at(0), below)};
-      const double up = clearance_along(sides[0].best, sides[2].best, above);
-      const double down = clearance_along(sides[1].best, sides[3].best, below);
+      const double up = clearance_along(sides[0], sides[2], {sides[1], sides[3]}, above);
+      const double down = clearance_along(sides[1], sides[3], {sides[0], sides[2]}, below);
       joined = std::int8_t((up > down) == (level % 2 == 0) ? 1 : -1);
       // A side that hardly rises over the error says nothing: a path may pass it by unseen.
       const bool clear = std::all_of(sides.begin(), sides.end(), [&](const Interval& side) {

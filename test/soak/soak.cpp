@@ -68,17 +68,7 @@ struct Counts {
 void soak(unsigned seed, const std::string& folder, Counts& counts) {
   const auto f = random_surfaces::ellipsoid(seed);
   const auto motion = surfaces::random_motion(seed);
-  const auto moved = make_function([&](auto x, auto y, auto z) {
-    const auto& R = motion.R;
-    const auto& t = motion.translation;
-    const auto dx = x - t[0], dy = y - t[1], dz = z - t[2];
-    random_surfaces::Random random(seed);
-    const auto c = random.coefficients(0.12);
-    const double b = random.uniform(1, 2), d = random.uniform(1, 3);
-    const auto u = R[0][0] * dx + R[1][0] * dy + R[2][0] * dz, v = R[0][1] * dx + R[1][1] * dy + R[2][1] * dz,
-               w = R[0][2] * dx + R[1][2] * dy + R[2][2] * dz;
-    return u * u + b * v * v + d * w * w - 1 + random_surfaces::random_terms(c, u, v, w);
-  });
+  const auto moved = random_surfaces::ellipsoid(seed, motion);
   Extraction_options options;
   options.patches = true;
   const Lattice lattice = make_lattice({-1.6, -1.6, -1.6}, {1.6, 1.6, 1.6}, 12);
