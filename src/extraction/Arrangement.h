@@ -100,6 +100,7 @@ private:
   void refine_segments(const Extraction_options& options);
   std::uint32_t other_end(std::uint32_t end) const;
   Segment segment_from(std::uint32_t end) const;
+  double size_of(std::uint32_t cell) const;
   std::optional<Line_place> behind(std::uint32_t end) const;
   std::uint32_t id(const Border_crossings& met, std::size_t i) const;
 

@@ -98,6 +98,17 @@ Segment Arrangement::segment_from(std::uint32_t end) const {
   return segment;
 }
 
+/// the greatest distance between corners of a cell.
+double Arrangement::size_of(std::uint32_t cell) const {
+  const std::vector<Half_edge>& sides = complex_.cells()[cell].sides;
+  const auto corner = [&](std::size_t i) -> const Point& { return complex_.samples()[complex_.source(sides[i])].p; };
+  double size = 0;
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      size = std::max(size, distance(corner(i), corner(j)));
+  return size;
+}
+
 Sample Arrangement::sample_of(const Crossing& crossing) const {
   const Refined_edge& edge = complex_.edges()[crossing.edge];
   const Sample *a = &complex_.samples()[edge.a], *b = &complex_.samples()[edge.b];
@@ -135,6 +146,7 @@ void Arrangement::refine_segments(const Extraction_options& options) {
     Segment segment = segment_from(ends[i]);
     if (!may_have_points(segment, tolerance))
       return;
+    segment.reach = size_of(complex_.edges()[crossings_[ends[i] / 2].edge].cell[ends[i] % 2]);
     if (surface.interpolates()) {
       const Crossing& from = crossings_[ends[i] / 2];
       const Segment_end next = from.next[ends[i] % 2];

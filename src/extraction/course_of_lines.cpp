@@ -16,6 +16,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 /// A critical point that is farther from where Newton's method starts than this is another start's.
 constexpr double farthest_first_step = 1.5;
+/// What lies this little outside of a cell, with its middle as the centre, may as well lie inside.
+constexpr double near = 0.9;
 /// The error of the phase may change by this times itself over the cell.
 constexpr double slope_of_error = 4;
 
@@ -236,14 +238,23 @@ private:
         look_for_critical_points(z + d, q, depth + 1, found);
       return;
     }
-    if (!find_critical_point(z) || !polygon_.contains(0.9 * z) ||
-        std::any_of(found.begin(), found.end(), [&](const auto& c) { return std::norm(c.z - z) < apart * apart; }))
+    if (!find_critical_point(z) || !polygon_.contains(near * z) ||
+        std::any_of(found.begin(), found.end(), [&](const auto& c) { return std::norm(c.z - z) < apart * apart; }) ||
+        vanishes(Field::P, z) || vanishes(Field::Q, z))
       return;
     // Lifted from the nearest corner, from where it turns little.
     const auto nearest = std::min_element(corner_.begin(), corner_.end(),
                                           [&](Complex a, Complex b) { return std::norm(a - z) < std::norm(b - z); });
     const double phase = phase_[std::size_t(nearest - corner_.begin())] + turn(model_(*nearest), model_(z));
     found.push_back({z, phase, model_.slopes(z).hessian() < 0});
+  }
+
+  /// tells whether the field is 0 up to rounding.
+  bool vanishes(Field field, Complex z) const {
+    constexpr double nearest = 1e-6; // a zero would be
+    const Field_jets f = model_.jets(field, z);
+    const double slope2 = f.re.x * f.re.x + f.re.y * f.re.y + f.im.x * f.im.x + f.im.y * f.im.y;
+    return f.re.f * f.re.f + f.im.f * f.im.f < nearest * nearest * slope2;
   }
 
   bool is_on_level(const Critical_point& c) const {
@@ -265,29 +276,33 @@ private:
                        [&](const auto& c) { return c.saddle && is_on_level(c) && !is_well_inside(c.z); });
   }
 
-  /// tells whether a straight way from an extremum to a corner meets no level: then no line closes around it.
+  /// tells whether a straight way from an extremum to the border meets no level: then no line closes around it.
   bool is_open_to_border(const Critical_point& extremum) const {
+    for (std::size_t i = 0; i < corner_.size(); ++i)
+      if (levels_between(phase_[i], extremum.phase) == 0 && is_way_open(extremum, corner_[i]))
+        return true;
+    for (std::size_t i = 0; i < corner_.size(); ++i)
+      if (is_way_open(extremum, on_edge(i, 0.5)))
+        return true;
+    return false;
+  }
+
+  bool is_way_open(const Critical_point& extremum, Complex to) const {
     constexpr int stations = 8;
     const auto off_level = [&](Complex z, double phase) {
       return levels_between(phase, extremum.phase) == 0 && distance_to_level(phase) > rounding + model_.phase_error(z);
     };
-    for (std::size_t i = 0; i < corner_.size(); ++i) {
-      if (levels_between(phase_[i], extremum.phase) != 0)
-        continue;
-      Fields before = model_(extremum.z);
-      double phase = extremum.phase;
-      bool open = off_level(extremum.z, phase);
-      for (int k = 1; k <= stations && open; ++k) {
-        const Complex z = extremum.z + double(k) / stations * (corner_[i] - extremum.z);
-        const Fields here = model_(z);
-        phase += turn(before, here);
-        before = here;
-        open = (k == stations || polygon_.contains(z)) && off_level(z, phase);
-      }
-      if (open)
-        return true;
+    Fields before = model_(extremum.z);
+    double phase = extremum.phase;
+    bool open = off_level(extremum.z, phase);
+    for (int k = 1; k <= stations && open; ++k) {
+      const Complex z = extremum.z + double(k) / stations * (to - extremum.z);
+      const Fields here = model_(z);
+      phase += turn(before, here);
+      before = here;
+      open = polygon_.contains(near * z) && off_level(z, phase);
     }
-    return false;
+    return open;
   }
 
   /// tells whether no line closes inside: around one that does there would be an extremum of the phase.
@@ -296,7 +311,8 @@ private:
                        [&](const Critical_point& c) { return !is_on_level(c) && (c.saddle || is_open_to_border(c)); });
   }
 
-  /// Newton's method for |P|² |Q|² ∇φ = 0, which is nearly a polynomial also where ∇φ is steep, beside where P nearly vanishes.
+  /// Newton's method for |P|² |Q|² ∇φ = 0, which is nearly a polynomial also where ∇φ is steep, beside where P nearly vanishes. Finds
+  /// zeros of P and Q, too.
   bool find_critical_point(Complex& z) const {
     for (int k = 0; k < 15; ++k) {
       const auto s = model_.slopes(z);

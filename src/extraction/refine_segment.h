@@ -49,6 +49,7 @@ struct Segment {
   /// whether the line may be looked for beside the segment. If not, the segment is taken for the line
   bool may_bend = true;
   bool certain = true; ///< the line runs from end to end; otherwise it may run elsewhere, and is looked for nearby only
+  double reach = 0;    ///< the size of the cell: the line goes nowhere farther from its ends
   int divided = 0;     ///< how many times what it is a piece of was divided
 };
 

@@ -23,16 +23,21 @@ constexpr double greatest_correction = 0.3;
 /// Steps in parts of the chord: the first one, and the least.
 constexpr double first_step = 0.2, least_step = 1e-3;
 constexpr int most_steps = 100;
-/// Within a cell a line goes nowhere farther than so many times the chord.
-constexpr double farthest = 10;
+/// The line goes nowhere farther than so many times the chord, or than the cell is large, by so much of it.
+constexpr double farthest = 10, part_of_reach = 1.5;
 /// A point is on the line when a step across it is less than this part of the chord.
 constexpr double settled = 1e-12;
 
 class Line_walk {
 public:
-  Line_walk(const Surface& surface, const Line_place& from, const Line_place& to, int family, double sign_on_left)
-      : surface_(surface), from_(from), to_(to), family_(family), turned_(family == 1 ? -1 : 1),
-        rising_(turned_ * sign_on_left), length_(distance(from.p, to.p)) {}
+  Line_walk(const Surface& surface, const Segment& segment, bool backward)
+      : surface_(surface), from_(segment.ends[backward ? 1 : 0].at), to_(segment.ends[backward ? 0 : 1].at),
+        family_(segment.family), turned_(family_ == 1 ? -1 : 1),
+        rising_((backward ? -1 : 1) * turned_ * segment.sign_on_left), length_(distance(from_.p, to_.p)),
+        farthest_(std::max(farthest * length_, part_of_reach * segment.reach)) {}
+
+  /// tells whether the tangent at the first end is known, as it is not at a vertex.
+  bool can_begin() const { return dot(from_.tangent, from_.tangent) > 0; }
 
   /// tells whether the line keeps near to the chord, as far as its tangents tell.
   bool is_nearly_straight() const { return sees_end({from_, forward(from_)}); }
@@ -109,7 +114,7 @@ private:
     const Line_place place = line_place(surface_, *s, family_, 1e-3 * length_);
     const Vector way = place.p - at.place.p, tangent = forward(place);
     if (angle(at.tangent, way) > greatest_turn || angle(tangent, way) > greatest_turn ||
-        distance(place.p, from_.p) > farthest * length_)
+        distance(place.p, from_.p) > farthest_)
       return std::nullopt;
     return Step{place, tangent};
   }
@@ -119,19 +124,17 @@ private:
   int family_;
   double turned_; ///< takes Φ to the positive numbers on lines of the family
   double rising_; ///< whether its phase rises to the left, or falls
-  double length_;
+  double length_, farthest_;
 };
 
 } // namespace
 
 std::vector<Line_place> walk_along_line(const Surface& surface, const Segment& segment, bool even_if_straight) {
-  const auto& ends = segment.ends;
   std::vector<Line_place> points;
   for (const bool backward : {false, true}) {
-    const Line_place &from = ends[backward ? 1 : 0].at, &to = ends[backward ? 0 : 1].at;
-    if (dot(from.tangent, from.tangent) == 0) // a vertex
+    const Line_walk walk(surface, segment, backward);
+    if (!walk.can_begin())
       continue;
-    const Line_walk walk(surface, from, to, segment.family, (backward ? -1 : 1) * segment.sign_on_left);
     if (!even_if_straight && walk.is_nearly_straight())
       return {};
     if (walk.reach_end(points)) {
