@@ -69,7 +69,7 @@ double length_of_loops(const Extremal_mesh& mesh) {
 } // namespace
 
 TEST(Small_lines, are_found_at_coarse_resolutions_too) {
-  for (const unsigned seed : {148U, 370U, 896U}) {
+  for (const unsigned seed : {148U, 370U, 896U, 3072U, 3699U, 3981U}) {
     const surfaces::Motion motion = surfaces::random_motion(seed);
     const auto f = random_surfaces::ellipsoid(seed);
     const auto moved = random_surfaces::ellipsoid(seed, motion);

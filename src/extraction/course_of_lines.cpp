@@ -245,7 +245,9 @@ private:
     // Lifted from the nearest corner, from where it turns little.
     const auto nearest = std::min_element(corner_.begin(), corner_.end(),
                                           [&](Complex a, Complex b) { return std::norm(a - z) < std::norm(b - z); });
-    const double phase = phase_[std::size_t(nearest - corner_.begin())] + turn(model_(*nearest), model_(z));
+    const double near_it = phase_[std::size_t(nearest - corner_.begin())] + turn(model_(*nearest), model_(z));
+    // The model's own, which at the corner is a little different from the sample's.
+    const double phase = near_it + std::remainder(std::arg(model_(z).phi()) - near_it, 2 * pi);
     found.push_back({z, phase, model_.slopes(z).hessian() < 0});
   }
 
