@@ -8,6 +8,7 @@
 #include <CGAL/Extremal_mesh_3/extract_extremal_mesh.h>
 #include <CGAL/Extremal_mesh_3/io.h>
 
+#include "repetitions.h"
 #include "temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -339,7 +340,7 @@ TEST(Dicom, whose_slice_is_changed_anywhere_is_read_or_refused) {
   std::mt19937 random(1);
   const auto number = [&](std::size_t n) { return std::size_t(random() % n); };
   std::size_t refused = 0;
-  constexpr std::size_t mark = 132, times = 400;
+  constexpr std::size_t mark = 132, times = repetitions(400);
   for (std::size_t t = 0; t < times; ++t) {
     std::string changed = whole;
     const std::size_t at = mark + number(whole.size() - mark - 8);

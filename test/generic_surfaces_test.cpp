@@ -8,6 +8,7 @@
 #include "dense_search.h"
 #include "generic_surfaces.h"
 #include "graph_comparison.h"
+#include "repetitions.h"
 
 using namespace CGAL::Extremal_mesh_3;
 
@@ -103,7 +104,7 @@ TEST_P(Generic_surfaces, have_the_extremal_points_and_umbilics_of_a_dense_search
 TEST_P(Generic_surfaces, have_the_same_mesh_in_every_position_and_at_every_resolution) {
   const Extraction first = extract({}, 32);
   EXPECT_EQ(surfaces::counts_of(first.mesh), surface().counts);
-  for (unsigned seed = 1; seed <= 10; ++seed)
+  for (unsigned seed = 1; seed <= repetitions(10); ++seed)
     expect_the_same_mesh(first.mesh, surfaces::random_motion(seed), seed % 5 == 1 ? 128 : seed % 2 == 0 ? 64 : 32);
 }
 

@@ -5,6 +5,7 @@
 // At two resolutions every identity holds and the graphs are isomorphic.
 #include "graph_comparison.h"
 #include "random_surfaces.h"
+#include "repetitions.h"
 
 #include <memory>
 
@@ -81,7 +82,7 @@ Surface surface(unsigned seed) {
 class Many_surfaces : public testing::TestWithParam<unsigned> {};
 
 TEST_P(Many_surfaces, have_the_same_mesh_at_two_resolutions) {
-  for (unsigned i = 1; i <= surfaces_in_a_test; ++i) {
+  for (unsigned i = 1; i <= repetitions(surfaces_in_a_test); ++i) {
     const unsigned seed = surfaces_in_a_test * GetParam() + i;
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Surface s = surface(seed);
