@@ -15,7 +15,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 /// A critical point that is farther from where Newton's method starts than this is another start's.
-constexpr double farthest_first_step = 1.5;
+constexpr double farthest_first_step = 0.9;
 /// What lies this little outside of a cell, with its middle as the centre, may as well lie inside.
 constexpr double near = 0.9;
 /// The error of the phase may change by this times itself over the cell.
